@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// The door for coordinates: after it, every predicate is exact unconditionally [PS, 11].
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "predicates/point.h"
+
+namespace sinkmesh {
+
+/// Scales by one power of two, so that the largest |coordinate| is in [1,2), rounds to the grid 2^-121 (which
+/// changes nothing unless a coordinate is smaller than the largest by more than a factor of about 2^68), and turns
+/// -0.0 into +0.0.
+template <int Dim>
+class InputGate {
+ public:
+  /// @throws InputError naming the index and value of the first coordinate that is not finite, or if the largest is
+  ///         so small (below 2^-800) that results would not be representable in the units of the input.
+  /// Cost: one pass.
+  explicit InputGate(std::span<const Point<Dim>> points);
+
+  /// To gated coordinates. Requires |coordinate| at most the largest of the input (Steiner points inside the box).
+  Point<Dim> in(const Point<Dim>& p) const;
+  /// Back to the units of the input; exact.
+  Point<Dim> out(const Point<Dim>& p) const;
+
+  /// Gated = input * 2^exponent().
+  int exponent() const;
+  /// Number of points that had to be rounded to the grid.
+  std::size_t rounded_points() const;
+  /// All gated coordinates are multiples of 2^-granularity(); at most 121.
+  int granularity() const;
+  /// Of the gated points.
+  const Box<Dim>& box() const;
+};
+
+/// The grid of the gate: gated coordinates are multiples of 2^-kGridBits.
+inline constexpr int kGridBits = 121;
+
+}  // namespace sinkmesh
