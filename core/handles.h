@@ -9,8 +9,8 @@
 
 namespace sinkmesh {
 
-/// Handles of different kinds neither compare nor convert: `simplex == vertex` does not compile. A handle survives
-/// every operation that leaves its simplex alive, except compact().
+/// Handles of different kinds neither compare nor convert: `simplex == vertex` does not compile. A handle
+/// survives every operation that leaves its simplex alive, except compact().
 template <class Tag>
 class Handle {
  public:
@@ -30,13 +30,13 @@ class Handle {
 using Simplex = Handle<struct SimplexTag>;
 
 /// One facet seen from one of the two simplices that share it. Half-facet (Dim+1)*s+i is the facet of simplex s
-/// opposite its corner i. Owner and number are arithmetic (Complex<Dim>::simplex_of, corner_of); only the mate is
-/// stored.
+/// opposite its corner i. Owner and number are arithmetic (Complex<Dim>::simplex_of, corner_of); only the mate
+/// is stored.
 using HalfFacet = Handle<struct HalfFacetTag>;
 
-/// A vertex. index() is the id: that of the input point, or the number of earlier vertices for a Steiner point. The
-/// vertex at infinity has no id; it is stored as slot 0, before all others, so that every array of vertices holds it
-/// and no loop over corners tests for it.
+/// A vertex. index() is the id: that of the input point, or the number of earlier vertices for a Steiner point.
+/// The vertex at infinity has no id; it is stored as slot 0, before all others, so that every array of vertices
+/// holds it and no loop over corners tests for it.
 class Vertex {
  public:
   constexpr Vertex() = default;  // null

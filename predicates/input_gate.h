@@ -11,17 +11,19 @@
 namespace sinkmesh {
 
 /// Scales by one power of two, so that the largest |coordinate| is in [1,2), rounds to the grid 2^-121 (which
-/// changes nothing unless a coordinate is smaller than the largest by more than a factor of about 2^68), and turns
-/// -0.0 into +0.0.
+/// changes nothing unless a coordinate is smaller than the largest by more than a factor of about 2^68), and
+/// turns -0.0 into +0.0.
 template <int Dim>
 class InputGate {
  public:
-  /// @throws InputError naming the index and value of the first coordinate that is not finite, or if the largest is
+  /// @throws InputError naming the index and value of the first coordinate that is not finite, or if the
+  /// largest is
   ///         so small (below 2^-800) that results would not be representable in the units of the input.
   /// Cost: one pass.
   explicit InputGate(std::span<const Point<Dim>> points);
 
-  /// To gated coordinates. Requires |coordinate| at most the largest of the input (Steiner points inside the box).
+  /// To gated coordinates. Requires |coordinate| at most the largest of the input (Steiner points inside the
+  /// box).
   Point<Dim> in(const Point<Dim>& p) const;
   /// Back to the units of the input; exact.
   Point<Dim> out(const Point<Dim>& p) const;

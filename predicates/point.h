@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace sinkmesh {
 
@@ -14,6 +15,10 @@ template <int Dim>
 using Point = std::array<double, Dim>;
 using Point2 = Point<2>;
 using Point3 = Point<3>;
+
+/// The same as a parameter from which Dim is not deduced: std::array counts in another type.
+template <int Dim>
+using PointArg = std::type_identity_t<Point<Dim>>;
 
 /// The Dim+1 corners of a simplex, in its own order.
 template <int Dim>

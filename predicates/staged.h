@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The predicates of one gated point set, dimension-free, with the static filter inline: what core and refine call.
-// Same signs as predicates.h; the box and the granularity of the set make most calls one comparison.
+// The predicates of one gated point set, dimension-free, with the static filter inline: what core and refine
+// call. Same signs as predicates.h; the box and the granularity of the set make most calls one comparison.
 #pragma once
 
 #include "predicates/point.h"

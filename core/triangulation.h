@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+//
+// The Delaunay triangulation of a point set, exact, in the plane and in space.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/cavity.h"
+#include "core/complex.h"
+#include "core/flip_inserter.h"
+#include "core/location.h"
+#include "core/spatial_order.h"
+#include "core/star_linker.h"
+#include "core/validation.h"
+#include "predicates/input_gate.h"
+#include "predicates/staged.h"
+
+namespace sinkmesh {
+
+/// How points are inserted. Both build the same complex, facet for facet; stars are faster.
+enum class Engine : std::uint8_t {
+  star,   ///< replace the prestar of the point by its star [EG01, 4.1]
+  flips,  ///< subdivide the simplex that holds the point, then flip until every facet is Delaunay [EG01, 4.3]
+};
+
+/// The Delaunay triangulation after perturbation of the lifted coordinate [PS, 2]: unique for a set of points,
+/// so it depends neither on their order nor on the engine; every solid simplex has positive exact volume, and
+/// the hull is the exact convex hull, also for grids and for coplanar or cospherical points.
+///
+/// Coordinates are kept behind the input gate (scaled by a power of two, on the grid 2^-121); point() gives
+/// them back in the units of the input. Ids of vertices are the indices of the input points; copies of an
+/// earlier point have an id, but are in no simplex.
+///
+/// Invariants, checked by validate(), besides those of Complex:
+///   D1  every solid simplex has positive volume;
+///   D2  no simplex is in conflict with the apex of a neighbour, which makes the whole triangulation Delaunay
+///   and the
+///       hull convex [PS, 2a].
+template <int Dim>
+class Triangulation {
+ public:
+  /// The triangulation of all points.
+  /// @throws InputError      for a coordinate that is not finite (input_gate.h).
+  /// @throws DegenerateInput if all points lie in one hyperplane.
+  /// @throws CapacityError   beyond 2^30 simplices.
+  explicit Triangulation(std::span<const Point<Dim>> points, Engine engine = Engine::star);
+
+  // -- the complex
+
+  const Complex<Dim>& complex() const { return complex_; }
+  const Predicates<Dim>& predicates() const { return predicates_; }
+  const InputGate<Dim>& gate() const { return gate_; }
+
+  /// Coordinates in the units of the input.
+  Point<Dim> point(Vertex v) const { return gate_.out(complex_.point(v)); }
+  /// Input points that equal an earlier one, by increasing id.
+  const std::vector<InsertionOrder::Duplicate>& duplicates() const { return duplicates_; }
+
+  std::size_t num_solid() const { return complex_.num_simplices() - num_ghosts(); }
+  /// Simplices of the hull's boundary, one ghost for each. Linear.
+  std::size_t num_ghosts() const;
+
+  // -- points
+
+  /// The simplex that holds p, and where in it p lies; a visibility walk from `hint`.
+  /// @param p  gated coordinates.
+  Location<Dim> locate(const Point<Dim>& p, Simplex hint = {}) const;
+
+  struct Insertion {
+    Vertex vertex;
+    bool is_new;  ///< false: p equals `vertex`, and nothing has changed
+  };
+  /// Inserts one point; its vertex gets the next id.
+  /// @param p  in the units of the input; rounded to the grid of the gate.
+  /// @throws InputError if p is not finite, or twice as far from the origin as any input point.
+  Insertion insert(const Point<Dim>& p, Engine engine = Engine::star, Simplex hint = {});
+
+  // -- the prestar of a point, for callers that want to look before they insert [EG01, 4.1]
+
+  /// Makes x a legal argument of grow_prestar(). Gated coordinates.
+  void announce(const Point<Dim>& x) { predicates_.include(x); }
+  /// Finds the prestar of x from a simplex in conflict with it; see Cavity::grow() for the barrier and the
+  /// result.
+  template <class Barrier>
+  bool grow_prestar(Cavity<Dim>& cavity, const Point<Dim>& x, Simplex start, Barrier&& barrier) {
+    return cavity.grow(complex_, predicates_, x, start, barrier);
+  }
+  /// Undoes grow_prestar().
+  void release(const Cavity<Dim>& cavity) { cavity.release(complex_); }
+  /// Replaces the prestar of x by its star. Requires that the cavity is the whole prestar, and that x is no
+  /// vertex.
+  Vertex substitute_star(Cavity<Dim>& cavity, const Point<Dim>& x);
+
+  /// Renumbers simplices without gaps; vertices keep their ids.
+  void compact() { complex_.compact(); }
+
+  // -- checks
+
+  /// Every violated invariant, by number and handle. Works on a broken complex. Linear.
+  ValidationReport validate() const { return sinkmesh::validate(complex_, predicates_); }
+  /// Whether every facet is Delaunay (D2), exactly. Linear.
+  bool is_delaunay() const { return sinkmesh::is_delaunay(complex_, predicates_); }
+  /// Of the set of solid simplices, by coordinates: equal for equal complexes, whatever the numbering.
+  std::uint64_t hash() const;
+
+  /// Access for tests that break invariants on purpose.
+  Complex<Dim>& mutable_complex() { return complex_; }
+
+ private:
+  void make_first_simplex(std::span<const Point<Dim>> gated, std::vector<std::uint32_t>& order);
+  void insert_all(Engine engine);
+  void restore_ids(std::span<const Point<Dim>> gated, const std::vector<std::uint32_t>& order);
+  Simplex next_hint(Vertex v, int steps) const;
+  Simplex some_simplex() const;
+
+  InputGate<Dim> gate_;
+  Predicates<Dim> predicates_;
+  Complex<Dim> complex_;
+  Cavity<Dim> cavity_;
+  StarLinker<Dim> linker_;
+  FlipInserter<Dim> flipper_;
+  std::vector<InsertionOrder::Duplicate> duplicates_;
+};
+using Triangulation2 = Triangulation<2>;
+using Triangulation3 = Triangulation<3>;
+
+}  // namespace sinkmesh
