@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "refine/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "refine/vector.h"
+
+namespace sinkmesh {
+namespace {
+
+// Puts the corners in lexicographic order: rounding then depends on the simplex alone.
+template <std::size_t N, class P>
+void sort_corners(std::array<const P*, N>& corners) {
+  const auto exchange = [&](std::size_t i, std::size_t j) {
+    if (*corners[j] < *corners[i]) std::swap(corners[i], corners[j]);
+  };
+  exchange(0, 1);
+  if constexpr (N == 3) {
+    exchange(1, 2);
+    exchange(0, 1);
+  } else if constexpr (N == 4) {
+    exchange(2, 3);
+    exchange(0, 2);
+    exchange(1, 3);
+    exchange(1, 2);
+  }
+}
+
+template <std::size_t N, class P>
+double shortest_edge2(const std::array<const P*, N>& corners) {
+  double shortest = HUGE_VAL;
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      shortest = std::min(shortest, squared_distance(*corners[i], *corners[j]));
+  }
+  return shortest;
+}
+
+// |Y|^2 / (4 D^2) with the circumcenter at a + Y/(2D) [PS, 0]. 0/0 and x/0 both mean: no volume that doubles
+// can see.
+double radius2(double y2, double d) {
+  const double r2 = y2 / (4 * d * d);
+  return std::isnan(r2) ? HUGE_VAL : r2;
+}
+
+double triangle_radius2(double uu, double vv, double side_opposite2, double area2) {
+  // r = (product of the sides) / (4 area), area2 = |u x v|^2 = 4 area^2.
+  const double r2 = uu * vv * side_opposite2 / (4 * area2);
+  return std::isnan(r2) ? HUGE_VAL : r2;
+}
+
+}  // namespace
+
+template <>
+Shape shape<3>(Corners<3> corners) {
+  sort_corners(corners);
+  const Point3& a = *corners[0];
+  const Point3 u = *corners[1] - a;
+  const Point3 v = *corners[2] - a;
+  const Point3 w = *corners[3] - a;
+  const Point3 nb = cross(v, w);
+  const Point3 nc = cross(w, u);
+  const Point3 nd = cross(u, v);
+  const double uu = dot(u, u);
+  const double vv = dot(v, v);
+  const double ww = dot(w, w);
+  Point3 y;
+  for (std::size_t k = 0; k < 3; ++k) y[k] = uu * nb[k] + vv * nc[k] + ww * nd[k];
+  return {radius2(dot(y, y), dot(u, nb)), shortest_edge2(corners)};
+}
+
+template <>
+Shape shape<2>(Corners<2> corners) {
+  sort_corners(corners);
+  const Point2 u = *corners[1] - *corners[0];
+  const Point2 v = *corners[2] - *corners[0];
+  const double area = cross(u, v);
+  return {triangle_radius2(dot(u, u), dot(v, v), squared_distance(*corners[1], *corners[2]), area * area),
+          shortest_edge2(corners)};
+}
+
+template <>
+Shape facet_shape<3>(FacetCorners<3> corners) {
+  sort_corners(corners);
+  const Point3 u = *corners[1] - *corners[0];
+  const Point3 v = *corners[2] - *corners[0];
+  const Point3 normal = cross(u, v);
+  return {
+      triangle_radius2(dot(u, u), dot(v, v), squared_distance(*corners[1], *corners[2]), dot(normal, normal)),
+      shortest_edge2(corners)};
+}
+
+template <>
+Shape facet_shape<2>(FacetCorners<2> corners) {
+  const double length2 = squared_distance(*corners[0], *corners[1]);
+  return {length2 / 4, length2};
+}
+
+// The facets opposite i and j have normals N_i, N_j with N_i x N_j = D times the edge that they share, up to
+// sign: the sine comes without cancellation.
+template <>
+Angles angles<3>(const Corners<3>& corners) {
+  const Point3 u = *corners[1] - *corners[0];
+  const Point3 v = *corners[2] - *corners[0];
+  const Point3 w = *corners[3] - *corners[0];
+  std::array<Point3, 4> normal = {Point3{}, cross(v, w), cross(w, u), cross(u, v)};
+  normal[0] = cross(*corners[3] - *corners[1], *corners[2] - *corners[1]);
+  const double d = std::abs(dot(u, normal[1]));
+  Angles result{180, 0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      std::size_t k = 0;
+      while (k == i || k == j) ++k;
+      const std::size_t l = 6 - i - j - k;
+      const double edge = std::sqrt(squared_distance(*corners[k], *corners[l]));
+      const double angle = std::atan2(d * edge, -dot(normal[i], normal[j])) * (180 / std::numbers::pi);
+      result.min = std::min(result.min, angle);
+      result.max = std::max(result.max, angle);
+    }
+  }
+  return result;
+}
+
+template <>
+Angles angles<2>(const Corners<2>& corners) {
+  Angles result{180, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point2 u = *corners[(i + 1) % 3] - *corners[i];
+    const Point2 v = *corners[(i + 2) % 3] - *corners[i];
+    const double angle = std::atan2(std::abs(cross(u, v)), dot(u, v)) * (180 / std::numbers::pi);
+    result.min = std::min(result.min, angle);
+    result.max = std::max(result.max, angle);
+  }
+  return result;
+}
+
+template <int Dim>
+void QualityStatistics::add(const Corners<Dim>& corners) {
+  const double ratio2 = shape<Dim>(corners).ratio2();
+  const double ratio = std::sqrt(ratio2);
+  ++count_;
+  low_ += ratio2 <= max_ratio2_ ? 0 : 1;
+  min2_ = std::min(min2_, ratio2);
+  max2_ = std::max(max2_, ratio2);
+  sum_ += ratio;
+  const Angles a = angles<Dim>(corners);
+  angles_.min = std::min(angles_.min, a.min);
+  angles_.max = std::max(angles_.max, a.max);
+  std::size_t bin = 0;
+  while (bin + 1 < kBins.size() && ratio > kBins[bin]) ++bin;
+  ++histogram_[bin];
+}
+
+double QualityStatistics::min_ratio() const { return count_ == 0 ? 0 : std::sqrt(min2_); }
+double QualityStatistics::max_ratio() const { return std::sqrt(max2_); }
+double QualityStatistics::average_ratio() const { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
+
+template void QualityStatistics::add<2>(const Corners<2>&);
+template void QualityStatistics::add<3>(const Corners<3>&);
+
+}  // namespace sinkmesh

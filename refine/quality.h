@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// How good a simplex is: the ratio r/l of circumradius to shortest edge [EG01, 4.3], and its angles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "predicates/point.h"
+
+namespace sinkmesh {
+
+/// Squared circumradius and squared length of the shortest edge, in the units of the coordinates.
+struct Shape {
+  double radius2;    ///< infinite where rounding sees no volume
+  double shortest2;  ///< of the edges
+
+  /// (r/l)^2; at least 3/8 for a tetrahedron and 1/3 for a triangle, attained by the regular ones.
+  double ratio2() const { return radius2 / shortest2; }
+};
+
+/// Rounded; a function of the set of corners, not of their order, so that every comparison of shapes is
+/// reproducible. Decides only which simplex is worked on first, or at all; never what is connected to what.
+template <int Dim>
+Shape shape(Corners<Dim> corners);
+
+/// The same for a facet, as a (Dim-1)-simplex of its own. Of an edge in the plane: r/l = 1/2.
+template <int Dim>
+Shape facet_shape(FacetCorners<Dim> corners);
+
+/// The smallest and the largest dihedral angle of a tetrahedron, angle of a triangle; in degrees.
+struct Angles {
+  double min;
+  double max;
+};
+template <int Dim>
+Angles angles(const Corners<Dim>& corners);
+
+/// Statistics over the simplices of a mesh.
+class QualityStatistics {
+ public:
+  /// Upper ends of the bins of the histogram of r/l; the last bin is open.
+  static constexpr std::array<double, 12> kBins = {0.65, 0.7, 0.8, 0.9, 1.0,  1.2,
+                                                   1.5,  2.0, 3.0, 5.0, 10.0, 1e300};
+
+  /// @param max_ratio  bound above which a simplex is of low quality.
+  explicit QualityStatistics(double max_ratio) : max_ratio2_(max_ratio * max_ratio) {}
+
+  template <int Dim>
+  void add(const Corners<Dim>& corners);
+
+  std::size_t simplices() const { return count_; }
+  std::size_t low_quality() const { return low_; }
+  double min_ratio() const;
+  double average_ratio() const;
+  double max_ratio() const;
+  double min_angle() const { return angles_.min; }
+  double max_angle() const { return angles_.max; }
+  const std::array<std::uint64_t, kBins.size()>& histogram() const { return histogram_; }
+
+ private:
+  double max_ratio2_;
+  std::size_t count_ = 0;
+  std::size_t low_ = 0;
+  double min2_ = HUGE_VAL;
+  double max2_ = 0;
+  double sum_ = 0;
+  Angles angles_{180, 0};
+  std::array<std::uint64_t, kBins.size()> histogram_{};
+};
+
+}  // namespace sinkmesh

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// From a surface to a refined mesh: the whole in one call, and the steps for callers that want to look in
+// between.
+#pragma once
+
+#include <memory>
+
+#include "core/triangulation.h"
+#include "refine/domain.h"
+#include "refine/mesh.h"
+#include "refine/options.h"
+#include "refine/surface.h"
+
+namespace sinkmesh {
+
+/// The domain bounded by a surface: the Delaunay triangulation of its vertices, and the maximal stable
+/// subcomplex of what lies inside. Movable, not copyable.
+template <int Dim>
+class SurfaceMesher {
+ public:
+  /// Triangulates the vertices used by the facets. Requires a surface for which check_surface() finds no error.
+  /// @throws InputError, DegenerateInput, CapacityError as Triangulation does.
+  explicit SurfaceMesher(const Surface<Dim>& surface);
+  SurfaceMesher(SurfaceMesher&&) noexcept;
+  SurfaceMesher& operator=(SurfaceMesher&&) noexcept;
+  ~SurfaceMesher();
+
+  /// Labels the inside, and peels it to its maximal stable subcomplex.
+  /// @throws InputError if facets of the surface are no facets of the triangulation (how many, and the first),
+  /// if
+  ///         the surface is not closed, or if nothing stable remains.
+  typename Domain<Dim>::Peeled find_domain();
+
+  /// Inserts Steiner points until no simplex of the domain has r/l above options.max_ratio, or none can be
+  /// inserted; see Refiner. Can be called again, with other options.
+  RefineResult refine(const RefineOptions& options);
+
+  /// Of the domain as it is now. Linear.
+  QualityStatistics statistics(double max_ratio) const;
+  /// Vertices of the domain as it is now.
+  std::size_t num_vertices() const;
+  /// Of the simplices of the domain, by their coordinates in the units of the input: equal for equal meshes,
+  /// whatever the numbering.
+  std::uint64_t hash() const;
+  /// The domain as plain arrays, in the units of the input. All points of the surface come first, the unused
+  /// ones too, with their ids; then the Steiner points.
+  Mesh<Dim> mesh() const;
+
+  const Triangulation<Dim>& triangulation() const;
+  const Domain<Dim>& domain() const;
+  /// Bytes held by the complex and its annotations.
+  std::size_t bytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+using SurfaceMesher3 = SurfaceMesher<3>;
+
+/// The solid simplices of a triangulation as plain arrays, in the units of the input; the boundary is its hull.
+template <int Dim>
+Mesh<Dim> hull_mesh(const Triangulation<Dim>& triangulation);
+
+/// All of it: checks the surface, finds the domain, refines, and returns the mesh.
+/// @throws InputError with the first defect of the surface; see also SurfaceMesher.
+template <int Dim>
+Mesh<Dim> refine(const Surface<Dim>& surface, const RefineOptions& options = {});
+
+}  // namespace sinkmesh
