@@ -10,11 +10,26 @@
 
 namespace sinkmesh {
 
-/// What a barrier says about a facet that the search for a prestar wants to cross.
+/// What a guide says about a facet that the search for a prestar wants to cross.
 enum class Passage : std::uint8_t {
   pass,  ///< test the simplex beyond
   wall,  ///< the simplex beyond is not in the prestar, whatever its sphere
   stop,  ///< give up the search
+};
+
+/// Lets a search go everywhere. Other guides have the same two members.
+struct FreeGuide {
+  /// A simplex has been found to be in the prestar, entered through its half-facet `entry`; the apex of entry may be
+  /// new to the closure of the prestar. Not called for the first simplex. Returns false to give up the search.
+  bool enter(HalfFacet entry) {
+    (void)entry;
+    return true;
+  }
+  /// The search wants to cross from half-facet `inner` of a simplex in the prestar to its mate.
+  Passage cross(HalfFacet inner, HalfFacet outer) {
+    (void)inner, (void)outer;
+    return Passage::pass;
+  }
 };
 
 /// The Dim-simplices of the prestar of a point, and the facets between them and the rest. Working memory of one
@@ -35,16 +50,15 @@ class Cavity {
   /// is connected [EG01, 4.1], so without walls these are all of it.
   ///
   /// @param start    a simplex in conflict with x (not checked).
-  /// @param barrier  called as barrier(inner, outer) with the half-facet of a simplex in the prestar and its
-  /// mate,
-  ///                 before the simplex of the mate is tested; returns a Passage.
-  /// @return false if the barrier said stop: the complex is then as before, and the cavity holds what was
-  /// found. Cost: one conflict test for each facet of the boundary and each simplex of the prestar.
-  template <class Barrier>
+  /// @param guide  is asked at every step; see FreeGuide.
+  /// @return false if the guide gave up: the complex is then as before, and the cavity holds what was found.
+  ///
+  /// Cost: one conflict test for each facet of the boundary and each simplex of the prestar.
+  template <class Guide>
   bool grow(Complex<Dim>& complex, const Predicates<Dim>& predicates, const Point<Dim>& x, Simplex start,
-            Barrier&& barrier);
+            Guide&& guide);
   void grow(Complex<Dim>& complex, const Predicates<Dim>& predicates, const Point<Dim>& x, Simplex start) {
-    grow(complex, predicates, x, start, [](HalfFacet, HalfFacet) { return Passage::pass; });
+    grow(complex, predicates, x, start, FreeGuide());
   }
 
   /// Clears the marks: the complex is as it was before grow().
@@ -70,9 +84,9 @@ class Cavity {
 };
 
 template <int Dim>
-template <class Barrier>
+template <class Guide>
 bool Cavity<Dim>::grow(Complex<Dim>& complex, const Predicates<Dim>& predicates, const Point<Dim>& x,
-                       Simplex start, Barrier&& barrier) {
+                       Simplex start, Guide&& guide) {
   constexpr std::uint32_t kCorners = Complex<Dim>::kCorners;
   constexpr std::uint32_t kMark = Complex<Dim>::kMark;
   typename Complex<Dim>::Record* const records = complex.records().data();
@@ -89,7 +103,7 @@ bool Cavity<Dim>::grow(Complex<Dim>& complex, const Predicates<Dim>& predicates,
   const auto test = [&](HalfFacet inner, std::uint32_t outer) {
     const std::uint32_t s = outer / kCorners;
     std::uint32_t conflict = 0;
-    const Passage passage = barrier(inner, HalfFacet(outer));
+    const Passage passage = guide.cross(inner, HalfFacet(outer));
     if (passage == Passage::pass) [[likely]] {
       conflict = in_conflict(complex, predicates, Simplex(s), x) ? 1 : 0;
     } else if (passage == Passage::stop) {
@@ -123,6 +137,7 @@ bool Cavity<Dim>::grow(Complex<Dim>& complex, const Predicates<Dim>& predicates,
     }
     const std::uint32_t entry = members_.data()[head];
     const std::uint32_t s = entry / kCorners;
+    if (head != 0) finished = guide.enter(HalfFacet(entry));
     // The facet of entry leads back into the prestar; the first simplex was not entered through one.
     for (std::uint32_t i = 0; i < kCorners && finished; ++i) {
       if (i != entry % kCorners || head == 0) finished = visit(s, i);

@@ -82,11 +82,10 @@ class Triangulation {
 
   /// Makes x a legal argument of grow_prestar(). Gated coordinates.
   void announce(const Point<Dim>& x) { predicates_.include(x); }
-  /// Finds the prestar of x from a simplex in conflict with it; see Cavity::grow() for the barrier and the
-  /// result.
-  template <class Barrier>
-  bool grow_prestar(Cavity<Dim>& cavity, const Point<Dim>& x, Simplex start, Barrier&& barrier) {
-    return cavity.grow(complex_, predicates_, x, start, barrier);
+  /// Finds the prestar of x from a simplex in conflict with it; see Cavity::grow() for the guide and the result.
+  template <class Guide = FreeGuide>
+  bool grow_prestar(Cavity<Dim>& cavity, const Point<Dim>& x, Simplex start, Guide&& guide = {}) {
+    return cavity.grow(complex_, predicates_, x, start, guide);
   }
   /// Undoes grow_prestar().
   void release(const Cavity<Dim>& cavity) { cavity.release(complex_); }

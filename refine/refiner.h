@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// The refinement driver: {sink, circumcenter} x {incremental, block, parallel} over one inserter [EG01, 4.5].
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "refine/options.h"
+#include "refine/sink_walk.h"
+#include "refine/steiner_inserter.h"
+
+namespace sinkmesh {
+
+/// Inserts Steiner points into a stable domain until no simplex has r/l above options.max_ratio, or none of those left
+/// can be mended. The triangulation is Delaunay and the domain stable whenever a callback runs, and at the end.
+///
+/// Order of work: by geometry alone (ratio, circumradius; ties by a hash of the coordinates), so that the mesh depends
+/// neither on numbering nor on how the triangulation was built.
+///
+/// Termination: SteinerInserter. Every pass of every loop below takes an entry from a finite queue, inserts a point,
+/// or rejects a simplex for as long as it lives.
+template <int Dim>
+class Refiner {
+ public:
+  /// @throws InputError if max_ratio is below 1 or not a number, if `literal` is asked of another schedule than
+  ///         `parallel`, or if the input is at the resolution of doubles (SteinerInserter).
+  Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, const RefineOptions& options);
+
+  RefineResult run();
+
+ private:
+  void run_incremental();
+  void run_rounds();
+
+  // Incremental: tries the points for one simplex, one after the other, until one is inserted.
+  bool insert_for(Simplex s);
+  bool insert_center_of(Simplex s);
+  bool has_candidate(Simplex s);
+  // Calls visit(sink) for the sinks of s, those that the steepest flow reaches first; stops when visit returns true.
+  template <class Visit>
+  bool visit_sinks(Simplex s, Visit&& visit) {
+    return sink_walk_(*flow_, s, visit);
+  }
+
+  // Rounds: candidates by decreasing radius.
+  std::vector<Candidate<Dim>> collect(bool own_centers);
+  void insert_block(const std::vector<Candidate<Dim>>& candidates);
+  void insert_independent(const std::vector<Candidate<Dim>>& candidates);
+  void insert_independent_literally(const std::vector<Candidate<Dim>>& candidates);
+  bool is_taken(Vertex v) const { return v.slot() < taken_.size() && taken_[v.slot()] == result_.rounds; }
+  void take(Vertex v);
+
+  bool may_continue();
+  void begin_round();
+  void end_round();
+  Remaining classify_remaining();
+
+  RefineOptions options_;
+  Flow<Dim>* flow_;
+  SteinerInserter<Dim> inserter_;
+  RefineResult result_;
+  Progress round_;
+  std::size_t dependent_ = 0;  // found so before a search
+  std::size_t until_poll_ = 0;
+  std::size_t inserted_before_round_ = 0;
+  bool stopped_ = false;
+
+  std::vector<std::size_t> taken_;          // by vertex slot: the last round in which a star took it
+  SinkWalk<Dim> sink_walk_;
+};
+
+}  // namespace sinkmesh

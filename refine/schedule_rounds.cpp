@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+//
+// The schedules that work in rounds: block and parallel [EG01, 4.5].
+#include <algorithm>
+
+#include "refine/refiner.h"
+#include "refine/sphere_set.h"
+
+namespace sinkmesh {
+
+// A round without an insertion has rejected all its candidates for as long as their simplices live, and nothing has
+// changed: there is no candidate left, unless the fallback has some.
+template <int Dim>
+void Refiner<Dim>::run_rounds() {
+  inserter_.measure_all();
+  bool own_centers = options_.insert == Insert::circumcenter;
+  while (may_continue()) {
+    const std::vector<Candidate<Dim>> candidates = collect(own_centers);
+    if (!candidates.empty()) {
+      begin_round();
+      if (options_.schedule == Schedule::block) {
+        insert_block(candidates);
+      } else if (options_.literal) {
+        insert_independent_literally(candidates);
+      } else {
+        insert_independent(candidates);
+      }
+      end_round();
+    }
+    if (!candidates.empty() && inserter_.num_inserted() > inserted_before_round_) {
+      own_centers = options_.insert == Insert::circumcenter;
+    } else if (own_centers || options_.fallback == Fallback::none) {
+      return;
+    } else {
+      own_centers = true;
+    }
+  }
+}
+
+// The centers of the simplices of low quality, or the sinks that their flow reaches: each sink once, and one of those
+// that have the same center. By decreasing radius.
+template <int Dim>
+std::vector<Candidate<Dim>> Refiner<Dim>::collect(bool own_centers) {
+  const std::vector<Simplex>& low = inserter_.low_quality();
+  const std::vector<Simplex> simplices = own_centers ? low : flow_->sinks_reached(low);
+  std::vector<Candidate<Dim>> candidates;
+  for (const Simplex s : simplices) {
+    if (!inserter_.domain().is_inside(s)) continue;
+    if (!options_.literal && inserter_.is_rejected(s)) continue;
+    Candidate<Dim> candidate;
+    if (inserter_.make_candidate(s, candidate)) candidates.push_back(candidate);
+  }
+  const auto by_tie = [](const Candidate<Dim>& a, const Candidate<Dim>& b) {
+    return a.tie != b.tie ? a.tie < b.tie : a.corners < b.corners;
+  };
+  if (!own_centers) {
+    std::sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+      return a.center != b.center ? a.center < b.center : by_tie(a, b);
+    });
+    const auto end = std::unique(candidates.begin(), candidates.end(),
+                                 [](const auto& a, const auto& b) { return a.center == b.center; });
+    candidates.erase(end, candidates.end());
+  }
+  std::sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+    return a.radius2 != b.radius2 ? a.radius2 > b.radius2 : by_tie(a, b);
+  });
+  return candidates;
+}
+
+// A maximal set of candidates whose spheres are mutually orthogonal or further. One that passes the boundary test is
+// inserted at once: the test of a later one then sees the complex with it, which changes no verdict (SteinerInserter),
+// and its own simplex may be gone, but not the sphere.
+template <int Dim>
+void Refiner<Dim>::insert_block(const std::vector<Candidate<Dim>>& candidates) {
+  SphereSet<Dim> block(inserter_.triangulation().predicates());
+  for (const Candidate<Dim>& candidate : candidates) {
+    if (!may_continue()) return;
+    ++round_.candidates;
+    const typename SphereSet<Dim>::Sphere sphere{candidate.corners, candidate.center, candidate.radius2};
+    if (!block.is_orthogonal_to_all(sphere)) {
+      ++dependent_;
+    } else if (inserter_.insert(candidate) == Verdict::inserted) {
+      ++round_.passed_boundary;
+      block.add(sphere);
+    }
+  }
+}
+
+template <int Dim>
+void Refiner<Dim>::take(Vertex v) {
+  if (v.slot() >= taken_.size()) taken_.resize(inserter_.complex().vertices().capacity(), 0);
+  taken_[v.slot()] = result_.rounds;
+}
+
+// A maximal set of candidates with disjoint closed prestars, pruned: verdicts are cached (collect), a search stops at
+// the first vertex that is taken, and a point is inserted as soon as it is chosen.
+//
+// The set is that of the literal rounds. Closures are disjoint iff they share no vertex. If the closed prestars of x and y
+// are disjoint, inserting y leaves that of x as it is. If they share a vertex, and y has been inserted, then the
+// prestar of x is met with a vertex of the closed star of y in its closure: x and y are dependent whichever is looked
+// at in the presence of the other [EG01, 4.4].
+template <int Dim>
+void Refiner<Dim>::insert_independent(const std::vector<Candidate<Dim>>& candidates) {
+  for (const Candidate<Dim>& candidate : candidates) {
+    if (!may_continue()) return;
+    ++round_.candidates;
+    if (!inserter_.is_current(candidate.simplex, candidate.birth)) {
+      ++dependent_;
+    } else if (inserter_.insert(candidate, [this](Vertex v) { return is_taken(v); }) == Verdict::inserted) {
+      ++round_.passed_boundary;
+      inserter_.visit_closed_star([this](Vertex v) { take(v); });
+    }
+  }
+}
+
+// The paper's round: first the prestar and the boundary test of every candidate, then the choice, then the insertions.
+template <int Dim>
+void Refiner<Dim>::insert_independent_literally(const std::vector<Candidate<Dim>>& candidates) {
+  std::vector<const Candidate<Dim>*> chosen;
+  std::vector<Vertex> closure;
+  std::vector<std::size_t> first_vertex{0};
+  std::vector<Vertex> closures;
+  std::vector<const Candidate<Dim>*> passed;
+  for (const Candidate<Dim>& candidate : candidates) {
+    if (!may_continue()) return;
+    ++round_.candidates;
+    if (inserter_.test(candidate, closure) != Verdict::inserted) continue;
+    passed.push_back(&candidate);
+    closures.insert(closures.end(), closure.begin(), closure.end());
+    first_vertex.push_back(closures.size());
+  }
+  round_.passed_boundary = passed.size();
+  for (std::size_t i = 0; i < passed.size(); ++i) {
+    const auto begin = closures.begin() + static_cast<std::ptrdiff_t>(first_vertex[i]);
+    const auto end = closures.begin() + static_cast<std::ptrdiff_t>(first_vertex[i + 1]);
+    if (std::any_of(begin, end, [this](Vertex v) { return is_taken(v); })) {
+      ++dependent_;
+      continue;
+    }
+    std::for_each(begin, end, [this](Vertex v) { take(v); });
+    chosen.push_back(passed[i]);
+  }
+  for (const Candidate<Dim>* candidate : chosen) {
+    if (!may_continue()) return;
+    inserter_.insert(*candidate);
+  }
+}
+
+template void Refiner<2>::run_rounds();
+template void Refiner<3>::run_rounds();
+
+}  // namespace sinkmesh

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "refine/steiner_inserter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/mix.h"
+#include "predicates/circumcenter.h"
+#include "predicates/predicates.h"
+#include "refine/quality.h"
+#include "refine/vector.h"
+
+namespace sinkmesh {
+namespace {
+
+bool is_strictly_inside(const Corners<2>& s, const Point2& x) { return incircle(*s[0], *s[1], *s[2], x) > 0; }
+bool is_strictly_inside(const Corners<3>& s, const Point3& x) {
+  return insphere(*s[0], *s[1], *s[2], *s[3], x) > 0;
+}
+
+// Below this fraction of the largest coordinate, which is in [1,2) behind the gate, rounding a center moves it by a
+// noticeable part of the distance between vertices.
+constexpr double kResolution2 = 0x1p-80;
+
+// A sum of Dim squares of rounded differences has a relative error below (Dim+2) 2^-53.
+constexpr double kDown = 1 - 0x1p-50;
+
+}  // namespace
+
+template <int Dim>
+SteinerInserter<Dim>::SteinerInserter(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
+                                      double max_ratio)
+    : triangulation_(&triangulation), domain_(&domain), flow_(&flow), max_ratio2_(max_ratio * max_ratio) {
+  // The nearest neighbour of a vertex is a Delaunay neighbour: the shortest edge is the shortest distance.
+  double shortest2 = HUGE_VAL;
+  for (const Simplex s : complex().simplices()) {
+    if (!complex().is_ghost(s)) shortest2 = std::min(shortest2, shape<Dim>(complex().corners(s)).shortest2);
+  }
+  separation2_ = shortest2 * kDown;
+  if (separation2_ < kResolution2) {
+    throw InputError("two vertices are " + std::to_string(std::sqrt(shortest2) / 2) +
+                     " times the largest coordinate apart: the input is at the resolution of doubles; move it to the "
+                     "origin, or merge vertices");
+  }
+  std::vector<bool> used(complex().num_vertices(), false);
+  for (const Simplex s : complex().simplices()) {
+    if (!domain.is_inside(s)) continue;
+    for (int i = 0; i <= Dim; ++i) used[complex().corner(s, i).index()] = true;
+  }
+  num_vertices_ = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+}
+
+template <int Dim>
+void SteinerInserter<Dim>::measure_all() {
+  for (const Simplex s : complex().simplices()) {
+    if (domain_->is_inside(s)) add(s);
+  }
+}
+
+// Records a new simplex of the domain.
+template <int Dim>
+void SteinerInserter<Dim>::add(Simplex s) {
+  if (s.index() >= birth_.size()) {
+    birth_.resize(complex().records().capacity(), 0);
+    notes_.resize(complex().records().capacity(), 0);
+  }
+  birth_[s.index()] = ++births_;
+  notes_[s.index()] = 0;
+  ++num_simplices_;
+  const double ratio2 = shape<Dim>(complex().corners(s)).ratio2();
+  if (ratio2 <= max_ratio2_) return;
+  notes_[s.index()] = kLow;
+  ++num_low_;
+  low_.emplace_back(s, births_);
+  if (on_low_quality) on_low_quality(s, ratio2);
+}
+
+template <int Dim>
+const std::vector<Simplex>& SteinerInserter<Dim>::low_quality() {
+  std::erase_if(low_, [this](const auto& entry) { return !is_current(entry.first, entry.second); });
+  low_alive_.clear();
+  for (const auto& [simplex, birth] : low_) low_alive_.push_back(simplex);
+  return low_alive_;
+}
+
+template <int Dim>
+std::uint64_t SteinerInserter<Dim>::tie(Simplex s) const {
+  std::uint64_t sum = 0;
+  for (const Point<Dim>* p : complex().corners(s)) sum += hash_point<Dim>(*p);
+  return sum;
+}
+
+template <int Dim>
+bool SteinerInserter<Dim>::make_candidate(Simplex s, Candidate<Dim>& candidate) {
+  candidate.simplex = s;
+  candidate.birth = birth(s);
+  candidate.corner = complex().corner(s, 0);
+  const Corners<Dim> corners = complex().corners(s);
+  for (std::size_t i = 0; i <= Dim; ++i) candidate.corners[i] = *corners[i];
+  candidate.radius2 = shape<Dim>(corners).radius2;
+  candidate.tie = tie(s);
+  if (circumcenter(corners, candidate.center)) return true;
+  refuse(candidate, Verdict::crossing);
+  return false;
+}
+
+template <int Dim>
+bool SteinerInserter<Dim>::is_separated(const Point<Dim>& x, Vertex v) const {
+  return squared_distance(x, complex().point(v)) * kDown >= separation2_;
+}
+
+// Finds an inside simplex in conflict with the point.
+template <int Dim>
+Verdict SteinerInserter<Dim>::locate(const Candidate<Dim>& candidate, Simplex& start) {
+  if (is_current(candidate.simplex, candidate.birth)) {
+    start = candidate.simplex;
+    return is_strictly_inside(complex().corners(start), candidate.center) ? Verdict::inserted : Verdict::separation;
+  }
+  triangulation_->announce(candidate.center);
+  const Location<Dim> at =
+      triangulation_->locate(candidate.center, complex().incident_simplex(candidate.corner));
+  start = at.simplex;
+  if (at.is_at_corner()) return Verdict::separation;
+  return domain_->is_inside(start) ? Verdict::inserted : Verdict::crossing;
+}
+
+template <int Dim>
+Verdict SteinerInserter<Dim>::test(const Candidate<Dim>& candidate, std::vector<Vertex>& closure) {
+  Simplex start;
+  Verdict verdict = locate(candidate, start);
+  if (verdict == Verdict::inserted) verdict = grow(candidate, start, [](Vertex) { return false; });
+  if (verdict != Verdict::inserted) return refuse(candidate, verdict);
+  closure.clear();
+  for (std::size_t i = 0; i < cavity_.num_simplices(); ++i) {
+    for (int k = 0; k <= Dim; ++k) closure.push_back(complex().corner(cavity_.simplex(i), k));
+  }
+  std::sort(closure.begin(), closure.end());
+  closure.erase(std::unique(closure.begin(), closure.end()), closure.end());
+  triangulation_->release(cavity_);
+  return verdict;
+}
+
+template <int Dim>
+Verdict SteinerInserter<Dim>::refuse(const Candidate<Dim>& candidate, Verdict verdict) {
+  switch (verdict) {
+    case Verdict::inserted:
+      break;
+    case Verdict::boundary:
+      ++rejections_.boundary;
+      break;
+    case Verdict::crossing:
+      ++rejections_.crossing;
+      break;
+    case Verdict::separation:
+      ++rejections_.separation;
+      break;
+    case Verdict::dependent:
+      ++rejections_.dependent;
+      return verdict;
+  }
+  if (is_current(candidate.simplex, candidate.birth)) {
+    std::uint8_t& notes = notes_[candidate.simplex.index()];
+    notes = static_cast<std::uint8_t>((notes & kLow) | static_cast<unsigned>(verdict) << kVerdictShift);
+  }
+  return verdict;
+}
+
+template <int Dim>
+void SteinerInserter<Dim>::commit(const Point<Dim>& x) {
+  for (std::size_t i = 0; i < cavity_.num_simplices(); ++i) {
+    const Simplex s = cavity_.simplex(i);
+    num_low_ -= is_low_quality(s) ? 1 : 0;
+    domain_->set_inside(s, false);
+  }
+  num_simplices_ -= cavity_.num_simplices();
+  triangulation_->substitute_star(cavity_, x);
+  ++num_vertices_;
+  ++num_inserted_;
+  for (std::size_t i = 0; i < cavity_.num_facets(); ++i) {
+    const Simplex s = cavity_.star(i);
+    domain_->set_inside(s, true);
+    flow_->forget(s);
+    add(s);
+  }
+}
+
+template class SteinerInserter<2>;
+template class SteinerInserter<3>;
+
+}  // namespace sinkmesh

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+//
+// One Steiner point: from a simplex to its exact center, through all tests, into the complex.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/triangulation.h"
+#include "refine/domain.h"
+#include "refine/flow.h"
+#include "refine/options.h"
+
+namespace sinkmesh {
+
+/// A point that may be inserted: the circumcenter of a simplex.
+template <int Dim>
+struct Candidate {
+  Simplex simplex;          ///< whose center it is
+  std::uint32_t birth = 0;  ///< of the simplex, when the candidate was made
+  Vertex corner;            ///< of the simplex; outlives it
+  Point<Dim> center{};      ///< exact, rounded once
+  std::array<Point<Dim>, Dim + 1> corners{};
+  double radius2 = 0;
+  std::uint64_t tie = 0;    ///< orders candidates of equal radius; a function of the geometry
+};
+
+/// What became of a candidate.
+enum class Verdict : std::uint8_t { inserted, boundary, crossing, separation, dependent };
+
+/// Keeps the triangulation, the domain, the flow and the list of simplices of low quality together while points are
+/// inserted; knows nothing of schedules.
+///
+/// Why a refinement ends [EG01, 4.4; PS, 8]. delta is fixed once: the shortest distance between input vertices. A
+/// point is inserted only if it is, as stored, strictly inside the circumsphere of its simplex, and at least delta away from all
+/// vertices of the closure of its prestar; the nearest vertex of a new point is among these, since it is a Delaunay
+/// neighbour. So all vertices stay delta apart, inside a bounded domain, and by packing there are finitely many.
+/// Every other verdict but `dependent` rejects the simplex until it dies. So each attempt inserts one of boundedly many
+/// points, or rejects one of finitely many simplices; `dependent` occurs only in rounds that insert another point.
+///
+/// Why a rejection is final while the simplex s lives, whatever is inserted elsewhere. Let x be the center of s, f a
+/// boundary facet, t the inside simplex at f, and t' the one that replaces t when y is inserted.
+/// - boundary: x is in the diametral ball of f, and f in the closure of Pt x, so t is in Pt x. If x lies on the inner side of f:
+///   y passed the boundary test, so the center of t' is on the inner side, and its ball holds the inner half of the
+///   diametral ball, hence x; f stays in the closure. If x lies beyond f: see crossing.
+/// - crossing: a simplex o outside, at f, is in conflict with x. o never changes. If x lies on the inner side of f, the ball
+///   of t' holds what the ball of o has there, because f is Delaunay; so x is still reached. If x lies beyond f, x has
+///   left the domain, and every way from s to x crosses the boundary, at a facet whose outer simplex is in conflict.
+/// - separation: vertices do not move, and the nearest one stays a neighbour.
+/// So the verdict is cached, and rounds that recompute it (--literal) come to the same mesh.
+template <int Dim>
+class SteinerInserter {
+ public:
+  /// Requires a stable domain: no flow leads out of it.
+  /// @throws InputError if delta is below 2^-40 of the largest coordinate: the input is at the resolution of doubles.
+  SteinerInserter(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, double max_ratio);
+
+  /// Finds the simplices of low quality. Call it once, after on_low_quality is set.
+  void measure_all();
+
+  // -- the state of the mesh
+
+  const Triangulation<Dim>& triangulation() const { return *triangulation_; }
+  const Complex<Dim>& complex() const { return triangulation_->complex(); }
+  const Domain<Dim>& domain() const { return *domain_; }
+  Flow<Dim>& flow() { return *flow_; }
+
+  std::size_t num_simplices() const { return num_simplices_; }
+  std::size_t num_low_quality() const { return num_low_; }
+  std::size_t num_vertices() const { return num_vertices_; }
+  /// delta, gated.
+  double separation2() const { return separation2_; }
+
+  bool is_low_quality(Simplex s) const { return notes_[s.index()] & kLow; }
+  /// Whether the center of s has been refused. It is not tried again while s lives.
+  bool is_rejected(Simplex s) const { return rejection(s) != Verdict::inserted; }
+  /// The reason, or `inserted` for none.
+  Verdict rejection(Simplex s) const { return static_cast<Verdict>(notes_[s.index()] >> kVerdictShift); }
+  /// A number that no two simplices in the same slot share (but for a wrap after 2^32 simplices, which can change the
+  /// order of work, and nothing else).
+  std::uint32_t birth(Simplex s) const { return birth_[s.index()]; }
+  bool is_current(Simplex s, std::uint32_t birth) const {
+    return complex().is_alive(s) && birth_[s.index()] == birth;
+  }
+
+  /// Simplices of low quality that live, in the order of their births.
+  const std::vector<Simplex>& low_quality();
+
+  /// Called for each simplex of low quality when it is born; may be empty.
+  std::function<void(Simplex, double ratio2)> on_low_quality;
+
+  // -- candidates
+
+  /// @return false, and the center of s is rejected, if it is too far away to be a Steiner point.
+  bool make_candidate(Simplex s, Candidate<Dim>& candidate);
+
+  /// Orders simplices of equal priority: a hash of the coordinates of its corners.
+  std::uint64_t tie(Simplex s) const;
+
+  /// Looks for the prestar of a candidate whose simplex lives; leaves the complex unchanged.
+  /// @param closure  receives the vertices of the closure of the prestar, if the verdict is `inserted`, which here
+  ///                 means: could be inserted.
+  Verdict test(const Candidate<Dim>& candidate, std::vector<Vertex>& closure);
+
+  /// Tests a candidate, and inserts it if it passes.
+  ///
+  /// If its simplex has died, the point is located again, from the vertex that outlives it.
+  /// @param is_taken  asked for each vertex of the closure of the prestar; a claim ends the search with the verdict
+  ///                  `dependent`.
+  template <class IsTaken>
+  Verdict insert(const Candidate<Dim>& candidate, IsTaken&& is_taken);
+  Verdict insert(const Candidate<Dim>& candidate) {
+    return insert(candidate, [](Vertex) { return false; });
+  }
+
+  /// After an insertion: calls visit(v) for every vertex of the closed star of the new point, some more than once.
+  template <class Visit>
+  void visit_closed_star(Visit&& visit) const {
+    for (std::size_t i = 0; i < cavity_.num_facets(); ++i) {
+      for (int k = 0; k <= Dim; ++k) visit(complex().corner(cavity_.star(i), k));
+    }
+  }
+
+  std::size_t num_prestars() const { return num_prestars_; }
+  std::size_t num_inserted() const { return num_inserted_; }
+  const Rejections& rejections() const { return rejections_; }
+
+ private:
+  static constexpr std::uint8_t kLow = 1;
+  static constexpr int kVerdictShift = 1;
+
+  template <class IsTaken>
+  class Guide;
+
+  template <class IsTaken>
+  Verdict grow(const Candidate<Dim>& candidate, Simplex start, IsTaken&& is_taken);
+  Verdict refuse(const Candidate<Dim>& candidate, Verdict verdict);
+  Verdict locate(const Candidate<Dim>& candidate, Simplex& start);
+  void commit(const Point<Dim>& x);
+  void add(Simplex s);
+  bool is_separated(const Point<Dim>& x, Vertex v) const;
+
+  Triangulation<Dim>* triangulation_;
+  Domain<Dim>* domain_;
+  Flow<Dim>* flow_;
+  double max_ratio2_;
+  double separation2_ = 0;
+
+  Cavity<Dim> cavity_;
+  std::vector<std::uint32_t> birth_;
+  std::vector<std::uint8_t> notes_;  // low quality, and the verdict on the center
+  std::uint32_t births_ = 0;
+  std::vector<std::pair<Simplex, std::uint32_t>> low_;  // and births; some may have died
+  std::vector<Simplex> low_alive_;
+
+  std::size_t num_simplices_ = 0;
+  std::size_t num_low_ = 0;
+  std::size_t num_vertices_ = 0;
+  std::size_t num_prestars_ = 0;
+  std::size_t num_inserted_ = 0;
+  Rejections rejections_;
+};
+
+/// Watches a search for a prestar: boundary, separation, and vertices that another point has taken.
+template <int Dim>
+template <class IsTaken>
+class SteinerInserter<Dim>::Guide {
+ public:
+  Guide(const SteinerInserter& inserter, const Point<Dim>& x, IsTaken& is_taken)
+      : inserter_(&inserter), x_(&x), is_taken_(&is_taken) {}
+
+  Verdict verdict() const { return crossed_ && verdict_ == Verdict::inserted ? Verdict::crossing : verdict_; }
+
+  /// All corners of the first simplex.
+  bool start(Simplex s) {
+    for (int i = 0; i <= Dim; ++i) {
+      if (!meet(inserter_->complex().corner(s, i))) return false;
+    }
+    return true;
+  }
+  bool enter(HalfFacet entry) { return meet(inserter_->complex().apex(entry)); }
+
+  Passage cross(HalfFacet inner, HalfFacet outer) {
+    const Simplex beyond = Complex<Dim>::simplex_of(outer);
+    if (inserter_->domain_->is_inside(beyond)) [[likely]] {
+      return Passage::pass;
+    }
+    const Complex<Dim>& complex = inserter_->complex();
+    const Predicates<Dim>& predicates = inserter_->triangulation_->predicates();
+    if (predicates.diametral_side(complex.facet_corners(inner), *x_) <= 0) {
+      verdict_ = Verdict::boundary;
+      return Passage::stop;
+    }
+    // Goes on after a crossing: a boundary facet met later may hold x in its diametral sphere, which is the reason
+    // that is reported, whatever the order of the search.
+    crossed_ = crossed_ || in_conflict(complex, predicates, beyond, *x_);
+    return Passage::wall;
+  }
+
+ private:
+  bool meet(Vertex v) {
+    if ((*is_taken_)(v)) {
+      verdict_ = Verdict::dependent;
+      return false;
+    }
+    if (!inserter_->is_separated(*x_, v)) {
+      verdict_ = Verdict::separation;
+      return false;
+    }
+    return true;
+  }
+
+  const SteinerInserter* inserter_;
+  const Point<Dim>* x_;
+  IsTaken* is_taken_;
+  Verdict verdict_ = Verdict::inserted;
+  bool crossed_ = false;
+};
+
+// Leaves the complex marked if the verdict is `inserted`, else as it was.
+template <int Dim>
+template <class IsTaken>
+Verdict SteinerInserter<Dim>::grow(const Candidate<Dim>& candidate, Simplex start, IsTaken&& is_taken) {
+  Guide<std::remove_reference_t<IsTaken>> guide(*this, candidate.center, is_taken);
+  if (!guide.start(start)) return guide.verdict();
+  ++num_prestars_;
+  triangulation_->announce(candidate.center);
+  const bool finished = triangulation_->grow_prestar(cavity_, candidate.center, start, guide);
+  const Verdict verdict = guide.verdict();
+  if (finished && verdict != Verdict::inserted) triangulation_->release(cavity_);
+  return verdict;
+}
+
+template <int Dim>
+template <class IsTaken>
+Verdict SteinerInserter<Dim>::insert(const Candidate<Dim>& candidate, IsTaken&& is_taken) {
+  Simplex start;
+  Verdict verdict = locate(candidate, start);
+  if (verdict == Verdict::inserted) verdict = grow(candidate, start, is_taken);
+  if (verdict != Verdict::inserted) return refuse(candidate, verdict);
+  commit(candidate.center);
+  return verdict;
+}
+
+extern template class SteinerInserter<2>;
+extern template class SteinerInserter<3>;
+
+}  // namespace sinkmesh
