@@ -8,9 +8,9 @@
 
 namespace sinkmesh {
 
-/// The caller's input cannot be used: a coordinate that is not finite, an option out of range, a surface that is
-/// not closed. Thrown at the border of the library, before anything is changed; the message names the index and
-/// the value, and what to do about it.
+/// The caller's input cannot be used: a coordinate that is not finite, an option out of range, a surface that
+/// is not closed. Thrown at the border of the library, before anything is changed; the message names the index
+/// and the value, and what to do about it.
 class InputError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

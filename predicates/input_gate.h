@@ -10,33 +10,45 @@
 
 namespace sinkmesh {
 
+/// The grid of the gate: gated coordinates are multiples of 2^-kGridBits.
+inline constexpr int kGridBits = 121;
+
 /// Scales by one power of two, so that the largest |coordinate| is in [1,2), rounds to the grid 2^-121 (which
-/// changes nothing unless a coordinate is smaller than the largest by more than a factor of about 2^68), and turns
-/// -0.0 into +0.0.
+/// changes nothing unless a coordinate is smaller than the largest by more than a factor of about 2^68), and
+/// turns -0.0 into +0.0.
 template <int Dim>
 class InputGate {
  public:
-  /// @throws InputError naming the index and value of the first coordinate that is not finite, or if the largest is
-  ///         so small (below 2^-800) that results would not be representable in the units of the input.
+  /// @throws InputError naming the index and value of the first coordinate that is not finite, or if the
+  /// largest is
+  ///         so small (below 2^-800) that results would not be representable in the units of the input. No
+  ///         points, or all at the origin, pass unscaled.
   /// Cost: one pass.
   explicit InputGate(std::span<const Point<Dim>> points);
 
-  /// To gated coordinates. Requires |coordinate| at most the largest of the input (Steiner points inside the box).
+  /// To gated coordinates. Requires |coordinate| at most the largest of the input (Steiner points inside the
+  /// box).
   Point<Dim> in(const Point<Dim>& p) const;
   /// Back to the units of the input; exact.
   Point<Dim> out(const Point<Dim>& p) const;
 
   /// Gated = input * 2^exponent().
-  int exponent() const;
+  int exponent() const { return exponent_; }
   /// Number of points that had to be rounded to the grid.
-  std::size_t rounded_points() const;
-  /// All gated coordinates are multiples of 2^-granularity(); at most 121.
-  int granularity() const;
+  std::size_t rounded_points() const { return rounded_points_; }
+  /// All gated coordinates are multiples of 2^-granularity(); at most kGridBits.
+  int granularity() const { return granularity_; }
   /// Of the gated points.
-  const Box<Dim>& box() const;
+  const Box<Dim>& box() const { return box_; }
+
+ private:
+  int exponent_ = 0;
+  std::size_t rounded_points_ = 0;
+  int granularity_ = 0;
+  Box<Dim> box_;
 };
 
-/// The grid of the gate: gated coordinates are multiples of 2^-kGridBits.
-inline constexpr int kGridBits = 121;
+extern template class InputGate<2>;
+extern template class InputGate<3>;
 
 }  // namespace sinkmesh

@@ -14,15 +14,17 @@
 // and, in the `_sos` functions only,
 //   symbolic     the first nonzero coefficient of the polynomial perturbed in the lifted coordinate [EM90]
 //
-// Sign:  orient2d > 0 for a counterclockwise triangle; orient3d > 0 for the tetrahedron (0, e1, e2, e3), that is
+// Sign:  orient2d > 0 for a counterclockwise triangle; orient3d > 0 for the tetrahedron (0, e1, e2, e3), that
+// is
 //        when d lies on the side of (b-a) x (c-a). Shewchuk's predicates.c has the opposite sign for orient3d.
 //        incircle, insphere > 0 when the last point is strictly inside, for a positively oriented simplex.
-// Laws:  swapping two of the first Dim+1 points negates orient*, incircle, insphere. diametral_side is symmetric in
-//        the points of the facet. `_sos` never returns 0 for a simplex of nonzero volume and distinct points, and
-//        never changes a sign that is not 0.
+// Laws:  swapping two of the first Dim+1 points negates orient*, incircle, insphere. diametral_side is
+// symmetric in
+//        the points of the facet. `_sos` never returns 0 for a simplex of nonzero volume and distinct points,
+//        and never changes a sign that is not 0.
 // Sites: ranked by the lexicographic order of their coordinates. Every weight is negative, -eps_rank, with
-//        eps_0 >> eps_1 >> ...: a cospherical query point ranked first is not in conflict; an apex on the diametral
-//        sphere, ranked first, has no flow.
+//        eps_0 >> eps_1 >> ...: a cospherical query point ranked first is not in conflict; an apex on the
+//        diametral sphere, ranked first, has no flow.
 // Input: finite. Exact for exponents within [PS, 11], for instance after the input gate (input_gate.h).
 // Build: needs -ffp-contract=off (the CMake target requires it); refuses -ffast-math and x87 arithmetic.
 #pragma once
@@ -44,9 +46,9 @@ int insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
 int incircle_sos(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 int insphere_sos(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e);
 
-/// Is x inside (-1), on (0), outside (+1) the diametral sphere of a facet: the smallest sphere through its points?
-/// Sign of the polynomial G of [PS, 1] (in the plane of (a-x).(b-x)). For the apex x of a simplex, -1 says that its
-/// circumcenter lies strictly beyond the facet: the simplex flows across it [EG01, 3.3].
+/// Is x inside (-1), on (0), outside (+1) the diametral sphere of a facet: the smallest sphere through its
+/// points? Sign of the polynomial G of [PS, 1] (in the plane of (a-x).(b-x)). For the apex x of a simplex, -1
+/// says that its circumcenter lies strictly beyond the facet: the simplex flows across it [EG01, 3.3].
 int diametral_side(const Point2& a, const Point2& b, const Point2& x);
 int diametral_side(const Point3& a, const Point3& b, const Point3& c, const Point3& x);
 /// The same after perturbation: never 0. Requires that the facet and x span a simplex of nonzero volume.

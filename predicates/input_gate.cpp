@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "predicates/input_gate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "predicates/detail/grid.h"
+#include "predicates/error.h"
+
+namespace sinkmesh {
+namespace {
+
+constexpr int kSmallestExponent = -800;
+
+std::string coordinate_text(std::size_t index, std::size_t axis, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.17g (%a)", value, value);
+  return "point " + std::to_string(index) + ": coordinate " + "xyz"[axis] + " is " + text;
+}
+
+/// To the nearest multiple of 2^-kGridBits, ties to even; -0.0 becomes +0.0. From 2^(52-kGridBits) on, every
+/// double is one already; below, x 2^kGridBits is exact or far below one half.
+double round_to_grid(double x) {
+  if (std::abs(x) >= std::ldexp(1.0, 52 - kGridBits)) return x;
+  return std::ldexp(std::nearbyint(std::ldexp(x, kGridBits)), -kGridBits) + 0.0;
+}
+
+}  // namespace
+
+template <int Dim>
+InputGate<Dim>::InputGate(std::span<const Point<Dim>> points) {
+  double largest = 0;
+  std::size_t index_of_largest = 0;
+  std::size_t axis_of_largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < Dim; ++k) {
+      const double x = points[i][k];
+      if (!std::isfinite(x)) {
+        throw InputError(coordinate_text(i, k, x) +
+                         "; every coordinate must be a finite number: remove or repair this point");
+      }
+      if (std::abs(x) > std::abs(largest)) {
+        largest = x;
+        index_of_largest = i;
+        axis_of_largest = k;
+      }
+    }
+  }
+  if (largest != 0) exponent_ = -std::ilogb(largest);
+  if (exponent_ > -kSmallestExponent) {
+    throw InputError(coordinate_text(index_of_largest, axis_of_largest, largest) +
+                     ", the largest of all, and below 2^-800: results would not be representable; multiply all "
+                     "coordinates by a large constant (choose another unit of length)");
+  }
+  for (const Point<Dim>& p : points) {
+    const Point<Dim> gated = in(p);
+    box_.include(gated);
+    for (const double x : gated) granularity_ = std::max(granularity_, detail::fraction_bits(x));
+    if (out(gated) != p) ++rounded_points_;
+  }
+}
+
+template <int Dim>
+Point<Dim> InputGate<Dim>::in(const Point<Dim>& p) const {
+  Point<Dim> gated;
+  for (std::size_t k = 0; k < Dim; ++k) gated[k] = round_to_grid(std::ldexp(p[k], exponent_));
+  return gated;
+}
+
+template <int Dim>
+Point<Dim> InputGate<Dim>::out(const Point<Dim>& p) const {
+  Point<Dim> raw;
+  for (std::size_t k = 0; k < Dim; ++k) raw[k] = std::ldexp(p[k], -exponent_);
+  return raw;
+}
+
+template class InputGate<2>;
+template class InputGate<3>;
+
+}  // namespace sinkmesh
