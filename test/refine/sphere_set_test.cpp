@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "refine/sphere_set.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "predicates/circumcenter.h"
+#include "predicates/predicates.h"
+#include "refine/quality.h"
+
+namespace sinkmesh {
+namespace {
+
+SphereSet<3>::Sphere random_sphere(std::mt19937_64& random, double size) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (;;) {
+    SphereSet<3>::Sphere sphere;
+    const Point3 at = {uniform(random), uniform(random), uniform(random)};
+    for (Point3& p : sphere.corners) {
+      for (std::size_t k = 0; k < 3; ++k) p[k] = at[k] * 0.9 + size * 0.1 * uniform(random);
+    }
+    const Corners<3> corners = {&sphere.corners[0], &sphere.corners[1], &sphere.corners[2], &sphere.corners[3]};
+    if (!circumcenter(corners, sphere.center)) continue;
+    sphere.radius2 = shape<3>(corners).radius2;
+    return sphere;
+  }
+}
+
+TEST(SphereSet, AgreesWithTestingAllPairs) {
+  const Predicates<3> predicates({{-2, -2, -2}, {2, 2, 2}}, 121);
+  std::mt19937_64 random(5);
+  std::vector<SphereSet<3>::Sphere> spheres;
+  for (int i = 0; i < 3000; ++i) spheres.push_back(random_sphere(random, std::ldexp(1.0, -static_cast<int>(random() % 8))));
+  std::sort(spheres.begin(), spheres.end(), [](const auto& a, const auto& b) { return a.radius2 > b.radius2; });
+
+  SphereSet<3> set(predicates);
+  std::vector<SphereSet<3>::Sphere> kept;
+  for (const auto& sphere : spheres) {
+    const bool expected = std::all_of(kept.begin(), kept.end(), [&](const auto& other) {
+      return orthogonality(sphere.corners, other.corners) >= 0;
+    });
+    ASSERT_EQ(set.is_orthogonal_to_all(sphere), expected);
+    if (!expected) continue;
+    set.add(sphere);
+    kept.push_back(sphere);
+  }
+  EXPECT_GT(kept.size(), 50U);
+  EXPECT_LT(kept.size(), spheres.size() / 2);
+}
+
+TEST(SphereSet, RefusesACopy) {
+  const Predicates<3> predicates({{-2, -2, -2}, {2, 2, 2}}, 121);
+  std::mt19937_64 random(6);
+  const auto sphere = random_sphere(random, 0.5);
+  SphereSet<3> set(predicates);
+  EXPECT_TRUE(set.is_orthogonal_to_all(sphere));
+  set.add(sphere);
+  EXPECT_FALSE(set.is_orthogonal_to_all(sphere));
+}
+
+}  // namespace
+}  // namespace sinkmesh
