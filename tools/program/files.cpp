@@ -26,7 +26,8 @@ bool is_mesh_format(const std::string& name) {
   return supports(format, FileRole::mesh_out, 2) || supports(format, FileRole::mesh_out, 3);
 }
 
-// --format is that of OUTPUT; but one that only an input can have leaves no doubt, and `sinkmesh refine - -o a.vtu
+// --format is that of OUTPUT; but one that only an input can have leaves no doubt, and `sinkmesh refine - -o
+// a.vtu
 // --format off` is what anyone would try first.
 bool belongs_to_input(const FileArguments& files) {
   return files.input_format.empty() && !files.output_format.empty() && !is_mesh_format(files.output_format);
@@ -56,15 +57,16 @@ std::optional<Format> format_by_suffix(const std::string& path) {
 Format output_format(const FileArguments& files, int dim) {
   const bool given = !files.output_format.empty() && !belongs_to_input(files);
   if (!given && files.output == "-") {
-    throw UsageError(fmt::format("the output is standard output, which has no suffix: give its format, --format {}",
-                                 format_names(FileRole::mesh_out, dim)));
+    throw UsageError(
+        fmt::format("the output is standard output, which has no suffix: give its format, --format {}",
+                    format_names(FileRole::mesh_out, dim)));
   }
   try {
     const Format format =
         given ? format_named(files.output_format) : format_of_path(files.output, FileRole::mesh_out, dim);
     if (supports(format, FileRole::mesh_out, dim)) return format;
-    throw UsageError(fmt::format("--format {}: cannot hold a mesh of dimension {}: use {}", name_of(format), dim,
-                                 format_names(FileRole::mesh_out, dim)));
+    throw UsageError(fmt::format("--format {}: cannot hold a mesh of dimension {}: use {}", name_of(format),
+                                 dim, format_names(FileRole::mesh_out, dim)));
   } catch (const FileError& error) {
     throw UsageError(error.what());
   }

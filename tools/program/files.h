@@ -29,8 +29,8 @@ std::optional<Format> format_by_suffix(const std::string& path);
 /// @throws UsageError that lists them, otherwise.
 Format output_format(const FileArguments& files, int dim);
 
-/// Finds out whether a file could be written now, so that no long computation is lost; leaves no trace. Standard
-/// output, devices and pipes are taken on trust. An empty path is no file.
+/// Finds out whether a file could be written now, so that no long computation is lost; leaves no trace.
+/// Standard output, devices and pipes are taken on trust. An empty path is no file.
 /// @throws FileError
 void check_writable(const std::string& path);
 

@@ -29,7 +29,8 @@ CLI::Validator at_least(double least, const std::string& why) {
             double value = 0;
             if (!CLI::detail::lexical_cast(text, value)) return fmt::format("'{}' is not a number", text);
             if (value >= least && std::isfinite(value)) return {};
-            return fmt::format("{} is not a number of at least {:g}{}{}", text, least, why.empty() ? "" : ", ", why);
+            return fmt::format("{} is not a number of at least {:g}{}{}", text, least, why.empty() ? "" : ", ",
+                               why);
           },
           ""};
 }

@@ -15,7 +15,7 @@
 namespace sinkmesh::program {
 namespace {
 
-constexpr double kRedraw = 0.1;       // seconds between two drawings
+constexpr double kRedraw = 0.1;      // seconds between two drawings
 constexpr double kRateInterval = 1;  // seconds over which the rate is taken
 
 bool is_terminal() {

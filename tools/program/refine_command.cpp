@@ -19,9 +19,7 @@
 namespace sinkmesh::program {
 namespace {
 
-Insert insert_named(const std::string& name) {
-  return name == "sink" ? Insert::sink : Insert::circumcenter;
-}
+Insert insert_named(const std::string& name) { return name == "sink" ? Insert::sink : Insert::circumcenter; }
 Schedule schedule_named(const std::string& name) {
   if (name == "incremental") return Schedule::incremental;
   return name == "block" ? Schedule::block : Schedule::parallel;
@@ -30,28 +28,32 @@ Fallback fallback_named(const std::string& name) {
   return name == "none" ? Fallback::none : Fallback::circumcenter;
 }
 
+constexpr int kDim = 3;
+
 // One run, with everything that the summary and the report tell about it.
-template <int Dim>
 class RefineRun {
  public:
   explicit RefineRun(const RefineArguments& arguments)
-      : arguments_(arguments), progress_(!arguments.quiet), initial_(arguments.ratio), final_(arguments.ratio) {}
+      : arguments_(arguments),
+        progress_(!arguments.quiet),
+        initial_(arguments.ratio),
+        final_(arguments.ratio) {}
 
   ExitStatus run() {
-    const Format format = output_format(arguments_.files, Dim);
+    const Format format = output_format(arguments_.files, kDim);
     check_writable(arguments_.files.output);
     check_writable(arguments_.report);
     check_writable(arguments_.history);
     progress_.phase("reading");
-    const Surface<Dim> surface = read_surface_input<Dim>(arguments_.files);
+    const Surface3 surface = read_surface_input(arguments_.files, lines_);
     lap("read");
     progress_.phase("checking the surface");
-    require_sound(surface, arguments_.files);
+    require_sound(surface, lines_, arguments_.files.input);
     lap("check");
 
     catch_stop_signals();
     progress_.phase("triangulating");
-    SurfaceMesher<Dim> mesher(surface);
+    SurfaceMesher3 mesher(surface);
     lap("delaunay");
     const auto peeled = mesher.find_domain();
     lap("domain");
@@ -112,15 +114,15 @@ class RefineRun {
     return options;
   }
 
-  Json report(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher,
-              const typename Domain<Dim>::Peeled& peeled, double total) const {
+  Json report(const Surface3& surface, const SurfaceMesher3& mesher, const Domain<kDim>::Peeled& peeled,
+              double total) const {
     const auto limit = [](const auto& value) { return value ? Json(*value) : Json(); };
-    const Triangulation<Dim>& triangulation = mesher.triangulation();
+    const Triangulation3& triangulation = mesher.triangulation();
     Json report = begin_report("refine");
     report["input"] = {{"path", arguments_.files.input},
                        {"vertices", surface.points.size()},
                        {"facets", surface.facets.size()},
-                       {"dimension", Dim},
+                       {"dimension", kDim},
                        {"duplicates", triangulation.duplicates().size()},
                        {"rounded_points", triangulation.gate().rounded_points()}};
     report["options"] = {{"ratio", arguments_.ratio},
@@ -143,13 +145,11 @@ class RefineRun {
                           {"crossing", result_.rejected.crossing},
                           {"separation", result_.rejected.separation},
                           {"dependent", result_.rejected.dependent}};
-    report["remaining"] = {{"total", result_.remaining.total()},
-                           {"boundary_facet", result_.remaining.boundary_facet},
-                           {"boundary", result_.remaining.boundary},
-                           {"crossing", result_.remaining.crossing},
-                           {"separation", result_.remaining.separation},
-                           {"omega", result_.remaining.omega},
-                           {"untried", result_.remaining.untried}};
+    report["remaining"] = {
+        {"total", result_.remaining.total()},         {"boundary_facet", result_.remaining.boundary_facet},
+        {"boundary", result_.remaining.boundary},     {"crossing", result_.remaining.crossing},
+        {"separation", result_.remaining.separation}, {"omega", result_.remaining.omega},
+        {"untried", result_.remaining.untried}};
     report["separation"] = result_.separation;
     report["stop"] = name(result_.stop);
     report["hash"] = hash_text(mesher.hash());
@@ -161,8 +161,8 @@ class RefineRun {
     return report;
   }
 
-  std::string summary(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher,
-                      const typename Domain<Dim>::Peeled& peeled, double total) const {
+  std::string summary(const Surface3& surface, const SurfaceMesher3& mesher, const Domain<kDim>::Peeled& peeled,
+                      double total) const {
     Summary summary;
     summary.line("input", fmt::format("{}: {}, {}", printable(arguments_.files.input, 200),
                                       count(surface.points.size(), "vertex", "vertices"),
@@ -171,29 +171,31 @@ class RefineRun {
       summary.line("", fmt::format("{} rounded: coordinates differ too much in size",
                                    count(rounded, "point was", "points were")));
     }
-    summary.line("domain", fmt::format("{} inside", simplices(initial_.simplices(), Dim)));
+    summary.line("domain", fmt::format("{} inside", simplices(initial_.simplices(), kDim)));
     if (peeled.simplices != 0) {
-      summary.line("", fmt::format("after {} with {} of the surface were peeled off, from which the flow leads out",
-                                   simplices(peeled.simplices, Dim), count(peeled.facets, "facet", "facets")));
+      summary.line("",
+                   fmt::format("after {} with {} of the surface were peeled off, from which the flow leads out",
+                               simplices(peeled.simplices, kDim), count(peeled.facets, "facet", "facets")));
     }
-    add_quality(summary,
-                {{"before", initial_vertices_, &initial_}, {"after", mesher.num_vertices(), &final_}}, Dim,
-                arguments_.ratio);
+    add_quality(summary, {{"before", initial_vertices_, &initial_}, {"after", mesher.num_vertices(), &final_}},
+                kDim, arguments_.ratio);
     summary.line("inserted", fmt::format("{} in {}, of {}", count(result_.inserted, "point", "points"),
                                          count(result_.rounds, "round", "rounds"),
                                          count(result_.candidates, "candidate", "candidates")));
     add_remaining(summary, result_.remaining, arguments_.ratio);
     if (result_.stop != Stop::no_candidate) {
-      summary.line("stopped", fmt::format("early, {}; the mesh is valid",
-                                          result_.stop == Stop::budget ? "at the limit that was set" : "on request"));
+      summary.line("stopped",
+                   fmt::format("early, {}; the mesh is valid",
+                               result_.stop == Stop::budget ? "at the limit that was set" : "on request"));
     }
     add_times(summary, phases_, total);
-    summary.line("output", arguments_.files.output == "-" ? "standard output"
-                                                          : printable(arguments_.files.output, 200));
+    summary.line("output",
+                 arguments_.files.output == "-" ? "standard output" : printable(arguments_.files.output, 200));
     return summary.text();
   }
 
   const RefineArguments& arguments_;
+  SourceLines lines_;
   Stopwatch watch_;
   ProgressLine progress_;
   Phases phases_;
@@ -208,8 +210,7 @@ class RefineRun {
 CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   CLI::App* const command = program.add_subcommand(
       "refine", "Mesh what a closed surface bounds, and insert points until the quality is good");
-  add_file_options(*command, arguments.files,
-                   "The surface: .off, .obj, .stl, .ply; in the plane a polygon, .poly");
+  add_file_options(*command, arguments.files, "The surface: .off, .obj, .stl, .ply");
   command
       ->add_option("--ratio", arguments.ratio,
                    "Largest ratio of circumradius to shortest edge that is good enough")
@@ -221,8 +222,9 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   command->add_option("--schedule", arguments.schedule, "How many at a time")
       ->check(CLI::IsMember({"incremental", "block", "parallel"}))
       ->capture_default_str();
-  command->add_flag("--literal", arguments.literal,
-                    "With --schedule parallel: rounds as published, without pruning; the same mesh, more slowly");
+  command->add_flag(
+      "--literal", arguments.literal,
+      "With --schedule parallel: rounds as published, without pruning; the same mesh, more slowly");
   command->add_option("--fallback", arguments.fallback, "What to do where no sink can be inserted")
       ->check(CLI::IsMember({"none", "circumcenter"}))
       ->capture_default_str();
@@ -231,7 +233,8 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
       ->capture_default_str();
   command->add_option("--max-vertices", arguments.max_vertices, "Stop when the mesh has so many vertices")
       ->check(at_least(1));
-  command->add_option("--time-limit", arguments.time_limit, "Stop after so many seconds, and write what there is")
+  command
+      ->add_option("--time-limit", arguments.time_limit, "Stop after so many seconds, and write what there is")
       ->check(at_least(0))
       ->type_name("SECONDS");
   add_report_option(*command, arguments.report);
@@ -249,7 +252,7 @@ ExitStatus run(const RefineArguments& arguments) {
   if (arguments.literal && arguments.schedule != "parallel") {
     throw UsageError("--literal goes with --schedule parallel only");
   }
-  return surface_dimension(arguments.files) == 2 ? RefineRun<2>(arguments).run() : RefineRun<3>(arguments).run();
+  return RefineRun(arguments).run();
 }
 
 }  // namespace sinkmesh::program

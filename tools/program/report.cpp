@@ -14,20 +14,20 @@ Json begin_report(const std::string& command) {
 }
 
 Json to_json(std::size_t vertices, const QualityStatistics& quality) {
-  return {{"vertices", vertices},
-          {"simplices", quality.simplices()},
-          {"low_quality", quality.low_quality()},
-          {"ratio",
-           {{"min", quality.min_ratio()}, {"avg", quality.average_ratio()}, {"max", quality.max_ratio()}}},
-          {"dihedral", {{"min", quality.min_angle()}, {"max", quality.max_angle()}}}};
+  return {
+      {"vertices", vertices},
+      {"simplices", quality.simplices()},
+      {"low_quality", quality.low_quality()},
+      {"ratio", {{"min", quality.min_ratio()}, {"avg", quality.average_ratio()}, {"max", quality.max_ratio()}}},
+      {"dihedral", {{"min", quality.min_angle()}, {"max", quality.max_angle()}}}};
 }
 
 Json histogram(const QualityStatistics& quality) {
   Json bins = Json::array();
   for (std::size_t i = 0; i < QualityStatistics::kBins.size(); ++i) {
     const bool open = i + 1 == QualityStatistics::kBins.size();
-    bins.push_back({{"up_to", open ? Json() : Json(QualityStatistics::kBins[i])},
-                    {"simplices", quality.histogram()[i]}});
+    bins.push_back(
+        {{"up_to", open ? Json() : Json(QualityStatistics::kBins[i])}, {"simplices", quality.histogram()[i]}});
   }
   return bins;
 }
@@ -36,9 +36,12 @@ const char* name(Insert insert) { return insert == Insert::sink ? "sink" : "circ
 
 const char* name(Schedule schedule) {
   switch (schedule) {
-    case Schedule::incremental: return "incremental";
-    case Schedule::block: return "block";
-    case Schedule::parallel: return "parallel";
+    case Schedule::incremental:
+      return "incremental";
+    case Schedule::block:
+      return "block";
+    case Schedule::parallel:
+      return "parallel";
   }
   return "";
 }
@@ -47,9 +50,12 @@ const char* name(Fallback fallback) { return fallback == Fallback::none ? "none"
 
 const char* name(Stop stop) {
   switch (stop) {
-    case Stop::no_candidate: return "no_candidate";
-    case Stop::budget: return "budget";
-    case Stop::cancelled: return "cancelled";
+    case Stop::no_candidate:
+      return "no_candidate";
+    case Stop::budget:
+      return "budget";
+    case Stop::cancelled:
+      return "cancelled";
   }
   return "";
 }

@@ -74,7 +74,8 @@ void add_remaining(Summary& summary, const Remaining& remaining, double max_rati
 void add_times(Summary& summary, const Phases& phases, double total) {
   std::string text;
   for (const auto& [name, seconds] : phases) text += fmt::format("{} {}, ", name, duration(seconds));
-  summary.line("time", fmt::format("{}total {}; memory {}", text, duration(total), megabytes(peak_memory_bytes())));
+  summary.line("time",
+               fmt::format("{}total {}; memory {}", text, duration(total), megabytes(peak_memory_bytes())));
 }
 
 }  // namespace sinkmesh::program

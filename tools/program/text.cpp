@@ -31,7 +31,7 @@ std::string measure(double value) {
 }
 
 std::string duration(double seconds) {
-  return fmt::format(seconds < 1 ? "{:.3f} s" : seconds < 100 ? "{:.1f} s" : "{:.0f} s", seconds);
+  return fmt::format("{:.{}f} s", seconds, seconds < 1 ? 3 : seconds < 100 ? 1 : 0);
 }
 
 std::string megabytes(std::uint64_t bytes) { return grouped((bytes + 500'000) / 1'000'000) + " MB"; }
