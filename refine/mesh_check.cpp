@@ -50,7 +50,7 @@ class MeshChecker {
     check_corners();
     collect_vertices();
     check_finite();
-    if (!check_.ok()) return std::move(check_);
+    if (!check_.ok() || points_.empty()) return std::move(check_);
     const InputGate<Dim> gate(points_);
     check_.rounded_points = gate.rounded_points();
     for (Point<Dim>& p : points_) p = gate.in(p);
@@ -61,7 +61,7 @@ class MeshChecker {
     check_overlaps();
     std::stable_sort(check_.defects.begin(), check_.defects.end(),
                      [](const MeshDefect& a, const MeshDefect& b) { return a.kind < b.kind; });
-    if (check_.ok() && num_simplices() > 0) {
+    if (check_.ok()) {
       look_at_facets();
       look_at_simplices();
     }
