@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// Groups of four digits, three bytes each.
+#include "tools/io/detail/base64.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace sinkmesh::io_detail {
+namespace {
+
+constexpr int kNotADigit = -1;
+
+constexpr std::array<signed char, 256> digit_values() {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::array<signed char, 256> values{};
+  values.fill(kNotADigit);
+  for (std::size_t i = 0; i < kDigits.size(); ++i) {
+    values[static_cast<unsigned char>(kDigits[i])] = static_cast<signed char>(i);
+  }
+  return values;
+}
+constexpr std::array<signed char, 256> kValues = digit_values();
+
+}  // namespace
+
+std::string decode_base64(std::string_view& text, std::size_t limit) {
+  std::string out;
+  out.reserve(std::min(limit, text.size() / 4 * 3 + 3));
+  std::uint32_t group = 0;
+  int digits = 0;
+  int padding = 0;
+  std::size_t i = 0;
+  for (; i < text.size() && out.size() < limit && padding == 0; ++i) {
+    const char c = text[i];
+    if (c == ' ' || c == '\t' || c == '\n' || c == '\r') continue;
+    int value = kValues[static_cast<unsigned char>(c)];
+    if (c == '=' && digits >= 2) {
+      padding = 4 - digits;
+      group <<= 6 * padding;
+      digits = 4;
+      // The second of two signs.
+      if (padding == 2 && i + 1 < text.size() && text[i + 1] == '=') ++i;
+    } else if (value == kNotADigit) {
+      break;
+    } else {
+      group = group << 6 | static_cast<std::uint32_t>(value);
+      ++digits;
+    }
+    if (digits == 4) {
+      for (int k = 0; k < 3 - padding; ++k) out += static_cast<char>(group >> (16 - 8 * k) & 0xff);
+      group = 0;
+      digits = 0;
+    }
+  }
+  text.remove_prefix(i);
+  if (out.size() > limit) out.resize(limit);
+  return out;
+}
+
+}  // namespace sinkmesh::io_detail

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+//
+// Formats that mix cells of many kinds: which of them make a mesh.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "refine/mesh.h"
+#include "tools/io/detail/shapes.h"
+
+namespace sinkmesh::io_detail {
+
+/// VTK's cells as arrays: cell i has the type types[i] and the corners connectivity[offsets[i] ..
+/// offsets[i+1]).
+struct VtkCells {
+  std::vector<std::int64_t> connectivity;
+  std::vector<std::int64_t> offsets;  // one more than cells, from 0
+  std::vector<std::int64_t> types;
+};
+
+/// Cell data of whole numbers, one per cell.
+using VtkField = std::pair<std::string, std::vector<std::int64_t>>;
+
+/// Sorts the cells into simplices and boundary facets, and the fields with the simplices. Cells of lower
+/// dimension (points and edges in space) are passed over.
+/// @param fail  called with a message; must throw.
+template <int Dim, class Fail>
+void collect_vtk_cells(const VtkCells& cells, const std::vector<VtkField>& fields, Mesh<Dim>& mesh, Fail fail) {
+  constexpr std::int64_t kVertex = 1;
+  constexpr std::int64_t kLine = 3;
+  const std::size_t count = cells.types.size();
+  if (cells.offsets.size() != count + 1 || cells.offsets.front() != 0) {
+    fail("the cells have " + std::to_string(count) + " types and " + std::to_string(cells.offsets.size()) +
+         " offsets, which do not fit together: the file is damaged");
+  }
+  for (const auto& [name, values] : fields) {
+    if (values.size() != count) {
+      fail("a field has " + std::to_string(values.size()) + " values for " + std::to_string(count) +
+           " cells: the file is damaged");
+    }
+    mesh.simplex_fields.push_back({name, {}});
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t first = cells.offsets[i];
+    const std::int64_t last = cells.offsets[i + 1];
+    if (last < first || static_cast<std::uint64_t>(last) > cells.connectivity.size()) {
+      fail("cell " + std::to_string(i) + " has offsets " + std::to_string(first) + " to " +
+           std::to_string(last) + " in a connectivity of " + std::to_string(cells.connectivity.size()) +
+           ": the file is damaged");
+    }
+    const auto take = [&](auto& cell) {
+      if (last - first != static_cast<std::int64_t>(cell.size())) {
+        fail("cell " + std::to_string(i) + " has " + std::to_string(last - first) + " corners instead of " +
+             std::to_string(cell.size()) + ": the file is damaged");
+      }
+      for (std::size_t k = 0; k < cell.size(); ++k) {
+        const std::int64_t v = cells.connectivity[static_cast<std::size_t>(first) + k];
+        if (v < 0 || static_cast<std::uint64_t>(v) >= mesh.points.size()) {
+          fail("cell " + std::to_string(i) + " uses point " + std::to_string(v) +
+               ", which does not exist: there are " + std::to_string(mesh.points.size()) + ", counted from 0");
+        }
+        cell[k] = static_cast<std::uint32_t>(v);
+      }
+    };
+    const std::int64_t type = cells.types[i];
+    if (type == Shapes<Dim>::kVtkSimplex) {
+      take(mesh.simplices.emplace_back());
+      for (std::size_t k = 0; k < fields.size(); ++k) {
+        mesh.simplex_fields[k].values.push_back(fields[k].second[i]);
+      }
+    } else if (type == Shapes<Dim>::kVtkFacet) {
+      take(mesh.boundary.emplace_back());
+    } else if (type != kVertex && type != kLine) {
+      fail("cell " + std::to_string(i) + " has VTK type " + std::to_string(type) + ": only type " +
+           std::to_string(Shapes<Dim>::kVtkSimplex) + " (" + Shapes<Dim>::kSimplex +
+           ") can be read; convert the mesh");
+    }
+  }
+}
+
+/// Points of VTK have three coordinates; in the plane the third must be 0.
+template <int Dim, class Fail>
+std::vector<Point<Dim>> collect_points(const std::vector<double>& coordinates, Fail fail) {
+  if (coordinates.size() % 3 != 0) fail("the points do not have 3 coordinates each: the file is damaged");
+  std::vector<Point<Dim>> points(coordinates.size() / 3);
+  if (points.size() >= 0xffffffffU) fail("there are more points than 32-bit indices can tell apart");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = coordinates[3 * i + k];
+      if (!(x - x == 0)) fail("point " + std::to_string(i) + " is not finite: repair or remove it");
+      if (k < Dim) {
+        points[i][k] = x;
+      } else if (x != 0) {
+        fail("point " + std::to_string(i) + " is not in the plane z = 0: a plane mesh is needed here");
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace sinkmesh::io_detail

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// Points, one a line, in columns.
+#include "tools/io/detail/codecs.h"
+#include "tools/io/detail/text_reader.h"
+
+namespace sinkmesh::io_detail {
+namespace {
+
+// Is the first line titles? Then its first word is no number at all; "nan" is a number, and refused as such.
+bool starts_with_titles(TextReader& text) {
+  if (text.at_end()) return false;
+  const std::string_view word = text.peek();
+  double value = 0;
+  const std::size_t sign = word.starts_with('+') ? 1 : 0;
+  return std::from_chars(word.data() + sign, word.data() + word.size(), value).ec ==
+         std::errc::invalid_argument;
+}
+
+// One comma or semicolon, at most, between two columns: a second one is an empty column.
+void pass_separator(TextReader& text) {
+  if (!text.accept(',')) text.accept(';');
+}
+
+bool at_separator_or_end(TextReader& text) {
+  const std::string_view next = text.at_line_end() ? std::string_view() : text.peek();
+  return next.empty() || next.front() == ',' || next.front() == ';';
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Point<Dim>> decode_xyz(const Source& source) {
+  TextReader text(source.bytes, source.file);
+  if (starts_with_titles(text)) text.drop_line();
+  std::vector<Point<Dim>> points;
+  std::size_t columns = 0;
+  std::size_t first_line = 0;
+  while (!text.at_end()) {
+    if (source.lines != nullptr) source.lines->points.push_back(text.line());
+    Point<Dim>& p = points.emplace_back();
+    std::size_t column = 0;
+    for (; !text.at_line_end(); ++column) {
+      if (at_separator_or_end(text)) {
+        text.fail("column " + std::to_string(column + 1) + " is empty: every point needs its coordinates");
+      }
+      if (column < Dim) {
+        p[column] = text.number("a coordinate");
+      } else {
+        text.skip_column();
+      }
+      pass_separator(text);
+    }
+    if (column < Dim) {
+      text.fail("this point has " + std::to_string(column) + " coordinates: " + std::to_string(Dim) +
+                " are needed");
+    }
+    if (columns == 0) {
+      columns = column;
+      first_line = text.line();
+    } else if (column != columns) {
+      text.fail("this line has " + std::to_string(column) + " columns, but line " + std::to_string(first_line) +
+                " has " + std::to_string(columns) + ": correct the one that is wrong");
+    }
+  }
+  return points;
+}
+
+template std::vector<Point2> decode_xyz<2>(const Source&);
+template std::vector<Point3> decode_xyz<3>(const Source&);
+
+}  // namespace sinkmesh::io_detail

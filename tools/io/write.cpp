@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+//
+// Checks what is to be written, encodes it whole, and only then touches the file system.
+#include "tools/io/write.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "tools/io/detail/codecs.h"
+#include "tools/io/detail/file.h"
+#include "tools/io/detail/shapes.h"
+
+namespace sinkmesh {
+namespace {
+
+using io_detail::is_standard_stream;
+
+Format output_format(const std::string& path, std::optional<Format> format, FileRole role, int dim) {
+  if (!format && is_standard_stream(path)) {
+    throw FileError("standard output",
+                    "it has no suffix to tell the format: name it (--format " + format_names(role, dim) + ")");
+  }
+  const Format result = format ? *format : format_of_path(path, role, dim);
+  if (!supports(result, role, dim)) {
+    throw FileError(path, "the format " + std::string(name_of(result)) +
+                              " does not hold what is to be written: use " + format_names(role, dim));
+  }
+  return result;
+}
+
+template <class Cells>
+void check_indices(const Cells& cells, std::size_t points, const char* what) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const std::uint32_t v : cells[i]) {
+      if (v >= points) {
+        throw InputError(std::string(what) + " " + std::to_string(i) + " refers to point " + std::to_string(v) +
+                         ", but there are " + std::to_string(points) + " points: it cannot be written");
+      }
+    }
+  }
+}
+
+// References and physical tags are 32-bit in the programs that read them.
+bool holds_one_tag(Format format) {
+  return format == Format::medit || format == Format::msh || format == Format::msh2;
+}
+
+template <int Dim>
+void check_fields(const Mesh<Dim>& mesh, Format format) {
+  for (const auto& field : mesh.simplex_fields) {
+    if (field.values.size() != mesh.simplices.size()) {
+      throw InputError("field '" + printable(field.name) + "' has " + std::to_string(field.values.size()) +
+                       " values for " + std::to_string(mesh.simplices.size()) + " simplices");
+    }
+  }
+  if (mesh.simplex_fields.empty() || !holds_one_tag(format)) return;
+  using Limits = std::numeric_limits<std::int32_t>;
+  const auto& first = mesh.simplex_fields.front();
+  for (const std::int64_t value : first.values) {
+    if (value < Limits::min() || value > Limits::max()) {
+      throw InputError("field '" + printable(first.name) + "' holds " + std::to_string(value) +
+                       ", which does not fit the 32-bit tags of this format: write .vtu instead");
+    }
+  }
+}
+
+template <int Dim>
+void write_tetgen(const std::string& path, const Mesh<Dim>& mesh) {
+  if (is_standard_stream(path)) {
+    throw FileError("standard output", "TetGen's format is several files: give a path ending in .node");
+  }
+  // The companion without which the others are of no use, last.
+  const std::pair<const char*, std::string> parts[] = {
+      {io_detail::Shapes<Dim>::kTetgenFacets, io_detail::encode_face(mesh)},
+      {".ele", io_detail::encode_ele(mesh)},
+      {".node", io_detail::encode_node<Dim>(mesh.points)},
+  };
+  std::vector<std::unique_ptr<io_detail::OutputFile>> files;
+  for (const auto& [suffix, bytes] : parts) {
+    files.push_back(std::make_unique<io_detail::OutputFile>(
+        std::filesystem::path(path).replace_extension(suffix).string()));
+    files.back()->finish(bytes);
+  }
+  for (const auto& file : files) file->publish();
+}
+
+template <int Dim>
+std::string encode_mesh(const Mesh<Dim>& mesh, Format format) {
+  switch (format) {
+    case Format::vtk:
+      return io_detail::encode_vtk(mesh);
+    case Format::medit:
+      return io_detail::encode_medit(mesh);
+    case Format::msh:
+      return io_detail::encode_msh41(mesh);
+    case Format::msh2:
+      return io_detail::encode_msh22(mesh);
+    default:
+      return io_detail::encode_vtu(mesh);
+  }
+}
+
+template <int Dim>
+std::string encode_surface(const Surface<Dim>& surface, Format format) {
+  if constexpr (Dim == 2) {
+    return io_detail::encode_poly(surface);
+  } else {
+    switch (format) {
+      case Format::obj:
+        return io_detail::encode_obj(surface);
+      case Format::stl:
+        return io_detail::encode_stl(surface);
+      case Format::ply:
+        return io_detail::encode_ply(surface);
+      default:
+        return io_detail::encode_off(surface);
+    }
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void write_mesh(const std::string& path, const Mesh<Dim>& mesh, std::optional<Format> format) {
+  const Format chosen = output_format(path, format, FileRole::mesh_out, Dim);
+  check_indices(mesh.simplices, mesh.points.size(), "simplex");
+  check_indices(mesh.boundary, mesh.points.size(), "boundary facet");
+  check_fields(mesh, chosen);
+  if (chosen == Format::tetgen) {
+    write_tetgen(path, mesh);
+  } else {
+    io_detail::write_file(path, encode_mesh(mesh, chosen));
+  }
+}
+
+template <int Dim>
+void write_surface(const std::string& path, const Surface<Dim>& surface, std::optional<Format> format) {
+  const Format chosen = output_format(path, format, FileRole::surface_out, Dim);
+  check_indices(surface.facets, surface.points.size(), "facet");
+  io_detail::write_file(path, encode_surface(surface, chosen));
+}
+
+template void write_mesh<2>(const std::string&, const Mesh2&, std::optional<Format>);
+template void write_mesh<3>(const std::string&, const Mesh3&, std::optional<Format>);
+template void write_surface<2>(const std::string&, const Surface2&, std::optional<Format>);
+template void write_surface<3>(const std::string&, const Surface3&, std::optional<Format>);
+
+}  // namespace sinkmesh
