@@ -41,8 +41,8 @@ void BM_Refine(benchmark::State& state) {
   state.counters["candidates"] = static_cast<double>(result.candidates);
   state.counters["prestars"] = static_cast<double>(result.prestars);
   state.counters["us_per_insertion"] =
-      benchmark::Counter(static_cast<double>(result.inserted) * 1e-6, benchmark::Counter::kIsIterationInvariantRate |
-                                                                          benchmark::Counter::kInvert);
+      benchmark::Counter(static_cast<double>(result.inserted) * 1e-6,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(BM_Refine)
     ->ArgsProduct({{0, 1, 2, 3}, {0, 1}, {0, 1, 2}, {0}})

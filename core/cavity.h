@@ -19,8 +19,9 @@ enum class Passage : std::uint8_t {
 
 /// Lets a search go everywhere. Other guides have the same two members.
 struct FreeGuide {
-  /// A simplex has been found to be in the prestar, entered through its half-facet `entry`; the apex of entry may be
-  /// new to the closure of the prestar. Not called for the first simplex. Returns false to give up the search.
+  /// A simplex has been found to be in the prestar, entered through its half-facet `entry`; the apex of entry
+  /// may be new to the closure of the prestar. Not called for the first simplex. Returns false to give up the
+  /// search.
   bool enter(HalfFacet entry) {
     (void)entry;
     return true;

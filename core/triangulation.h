@@ -82,7 +82,8 @@ class Triangulation {
 
   /// Makes x a legal argument of grow_prestar(). Gated coordinates.
   void announce(const Point<Dim>& x) { predicates_.include(x); }
-  /// Finds the prestar of x from a simplex in conflict with it; see Cavity::grow() for the guide and the result.
+  /// Finds the prestar of x from a simplex in conflict with it; see Cavity::grow() for the guide and the
+  /// result.
   template <class Guide = FreeGuide>
   bool grow_prestar(Cavity<Dim>& cavity, const Point<Dim>& x, Simplex start, Guide&& guide = {}) {
     return cavity.grow(complex_, predicates_, x, start, guide);

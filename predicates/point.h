@@ -8,6 +8,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "predicates/build_guard.h"
+
 namespace sinkmesh {
 
 /// A point of R^Dim. Compares lexicographically, which is the rank of the simulation of simplicity.

@@ -88,9 +88,10 @@ template <int Dim>
 typename Domain<Dim>::Peeled SurfaceMesher<Dim>::find_domain() {
   const std::vector<std::size_t> missing = state_->domain.label_by_parity(state_->used.facets);
   if (!missing.empty()) {
-    throw InputError(std::to_string(missing.size()) + " of " + count_of(state_->used.facets.size(), "facet") +
-                     " of the surface are not in the Delaunay triangulation of its vertices (the first is facet " +
-                     std::to_string(missing.front()) + "): refine the surface there");
+    throw InputError(
+        std::to_string(missing.size()) + " of " + count_of(state_->used.facets.size(), "facet") +
+        " of the surface are not in the Delaunay triangulation of its vertices (the first is facet " +
+        std::to_string(missing.front()) + "): refine the surface there");
   }
   const typename Domain<Dim>::Peeled peeled = state_->domain.peel(state_->flow);
   if (state_->domain.simplices().empty()) {
@@ -175,7 +176,8 @@ template <int Dim>
 Mesh<Dim> hull_mesh(const Triangulation<Dim>& triangulation) {
   const Complex<Dim>& complex = triangulation.complex();
   Mesh<Dim> mesh;
-  for (std::uint32_t v = 0; v < complex.num_vertices(); ++v) mesh.points.push_back(triangulation.point(Vertex(v)));
+  for (std::uint32_t v = 0; v < complex.num_vertices(); ++v)
+    mesh.points.push_back(triangulation.point(Vertex(v)));
   for (const Simplex s : complex.simplices()) {
     if (complex.is_ghost(s)) {
       mesh.boundary.push_back(facet_ids<Dim>(complex, complex.mate(Complex<Dim>::half_facet(s, Dim))));

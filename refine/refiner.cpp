@@ -33,7 +33,8 @@ RefineResult Refiner<Dim>::run() {
   result_.rejected = inserter_.rejections();
   result_.rejected.dependent += dependent_;
   result_.remaining = classify_remaining();
-  result_.separation = std::ldexp(std::sqrt(inserter_.separation2()), -inserter_.triangulation().gate().exponent());
+  result_.separation =
+      std::ldexp(std::sqrt(inserter_.separation2()), -inserter_.triangulation().gate().exponent());
   return result_;
 }
 
@@ -91,8 +92,9 @@ Remaining Refiner<Dim>::classify_remaining() {
     bool on_low_facet = false;
     for (int i = 0; i <= Dim; ++i) {
       const HalfFacet h = Complex<Dim>::half_facet(s, i);
-      on_low_facet = on_low_facet || (!inserter_.domain().is_inside(Complex<Dim>::simplex_of(complex.mate(h))) &&
-                                      !(facet_shape<Dim>(complex.facet_corners(h)).ratio2() <= max_ratio2));
+      on_low_facet =
+          on_low_facet || (!inserter_.domain().is_inside(Complex<Dim>::simplex_of(complex.mate(h))) &&
+                           !(facet_shape<Dim>(complex.facet_corners(h)).ratio2() <= max_ratio2));
     }
     std::size_t sinks = 0;
     std::array<bool, 5> met{};

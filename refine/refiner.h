@@ -12,20 +12,22 @@
 
 namespace sinkmesh {
 
-/// Inserts Steiner points into a stable domain until no simplex has r/l above options.max_ratio, or none of those left
-/// can be mended. The triangulation is Delaunay and the domain stable whenever a callback runs, and at the end.
+/// Inserts Steiner points into a stable domain until no simplex has r/l above options.max_ratio, or none of
+/// those left can be mended. The triangulation is Delaunay and the domain stable whenever a callback runs, and
+/// at the end.
 ///
-/// Order of work: by geometry alone (ratio, circumradius; ties by a hash of the coordinates), so that the mesh depends
-/// neither on numbering nor on how the triangulation was built.
+/// Order of work: by geometry alone (ratio, circumradius; ties by a hash of the coordinates), so that the mesh
+/// depends neither on numbering nor on how the triangulation was built.
 ///
-/// Termination: SteinerInserter. Every pass of every loop below takes an entry from a finite queue, inserts a point,
-/// or rejects a simplex for as long as it lives.
+/// Termination: SteinerInserter. Every pass of every loop below takes an entry from a finite queue, inserts a
+/// point, or rejects a simplex for as long as it lives.
 template <int Dim>
 class Refiner {
  public:
   /// @throws InputError if max_ratio is below 1 or not a number, if `literal` is asked of another schedule than
   ///         `parallel`, or if the input is at the resolution of doubles (SteinerInserter).
-  Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, const RefineOptions& options);
+  Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
+          const RefineOptions& options);
 
   RefineResult run();
 
@@ -37,7 +39,8 @@ class Refiner {
   bool insert_for(Simplex s);
   bool insert_center_of(Simplex s);
   bool has_candidate(Simplex s);
-  // Calls visit(sink) for the sinks of s, those that the steepest flow reaches first; stops when visit returns true.
+  // Calls visit(sink) for the sinks of s, those that the steepest flow reaches first; stops when visit returns
+  // true.
   template <class Visit>
   bool visit_sinks(Simplex s, Visit&& visit) {
     return sink_walk_(*flow_, s, visit);
@@ -66,7 +69,7 @@ class Refiner {
   std::size_t inserted_before_round_ = 0;
   bool stopped_ = false;
 
-  std::vector<std::size_t> taken_;          // by vertex slot: the last round in which a star took it
+  std::vector<std::size_t> taken_;  // by vertex slot: the last round in which a star took it
   SinkWalk<Dim> sink_walk_;
 };
 

@@ -14,7 +14,9 @@ void Refiner<Dim>::run_incremental() {
     queue.push({ratio2, inserter_.tie(s), s, inserter_.birth(s)});
   };
   inserter_.measure_all();
-  const auto is_current = [&](const WorstFirstQueue::Entry& e) { return inserter_.is_current(e.simplex, e.birth); };
+  const auto is_current = [&](const WorstFirstQueue::Entry& e) {
+    return inserter_.is_current(e.simplex, e.birth);
+  };
 
   std::vector<WorstFirstQueue::Entry> stuck;
   begin_round();
@@ -31,8 +33,8 @@ void Refiner<Dim>::run_incremental() {
         begin_round();
       }
     }
-    // Points inserted for others may have turned the flow of a simplex to another sink. Each retry begins with one
-    // that is not rejected, so it inserts or rejects.
+    // Points inserted for others may have turned the flow of a simplex to another sink. Each retry begins with
+    // one that is not rejected, so it inserts or rejects.
     retry = false;
     std::erase_if(stuck, [&](const WorstFirstQueue::Entry& e) {
       if (!is_current(e)) return true;

@@ -8,8 +8,8 @@
 
 namespace sinkmesh {
 
-// A round without an insertion has rejected all its candidates for as long as their simplices live, and nothing has
-// changed: there is no candidate left, unless the fallback has some.
+// A round without an insertion has rejected all its candidates for as long as their simplices live, and nothing
+// has changed: there is no candidate left, unless the fallback has some.
 template <int Dim>
 void Refiner<Dim>::run_rounds() {
   inserter_.measure_all();
@@ -37,8 +37,8 @@ void Refiner<Dim>::run_rounds() {
   }
 }
 
-// The centers of the simplices of low quality, or the sinks that their flow reaches: each sink once, and one of those
-// that have the same center. By decreasing radius.
+// The centers of the simplices of low quality, or the sinks that their flow reaches: each sink once, and one of
+// those that have the same center. By decreasing radius.
 template <int Dim>
 std::vector<Candidate<Dim>> Refiner<Dim>::collect(bool own_centers) {
   const std::vector<Simplex>& low = inserter_.low_quality();
@@ -67,9 +67,9 @@ std::vector<Candidate<Dim>> Refiner<Dim>::collect(bool own_centers) {
   return candidates;
 }
 
-// A maximal set of candidates whose spheres are mutually orthogonal or further. One that passes the boundary test is
-// inserted at once: the test of a later one then sees the complex with it, which changes no verdict (SteinerInserter),
-// and its own simplex may be gone, but not the sphere.
+// A maximal set of candidates whose spheres are mutually orthogonal or further. One that passes the boundary
+// test is inserted at once: the test of a later one then sees the complex with it, which changes no verdict
+// (SteinerInserter), and its own simplex may be gone, but not the sphere.
 template <int Dim>
 void Refiner<Dim>::insert_block(const std::vector<Candidate<Dim>>& candidates) {
   SphereSet<Dim> block(inserter_.triangulation().predicates());
@@ -92,13 +92,13 @@ void Refiner<Dim>::take(Vertex v) {
   taken_[v.slot()] = result_.rounds;
 }
 
-// A maximal set of candidates with disjoint closed prestars, pruned: verdicts are cached (collect), a search stops at
-// the first vertex that is taken, and a point is inserted as soon as it is chosen.
+// A maximal set of candidates with disjoint closed prestars, pruned: verdicts are cached (collect), a search
+// stops at the first vertex that is taken, and a point is inserted as soon as it is chosen.
 //
-// The set is that of the literal rounds. Closures are disjoint iff they share no vertex. If the closed prestars of x and y
-// are disjoint, inserting y leaves that of x as it is. If they share a vertex, and y has been inserted, then the
-// prestar of x is met with a vertex of the closed star of y in its closure: x and y are dependent whichever is looked
-// at in the presence of the other [EG01, 4.4].
+// The set is that of the literal rounds. Closures are disjoint iff they share no vertex. If the closed prestars
+// of x and y are disjoint, inserting y leaves that of x as it is. If they share a vertex, and y has been
+// inserted, then the prestar of x is met with a vertex of the closed star of y in its closure: x and y are
+// dependent whichever is looked at in the presence of the other [EG01, 4.4].
 template <int Dim>
 void Refiner<Dim>::insert_independent(const std::vector<Candidate<Dim>>& candidates) {
   for (const Candidate<Dim>& candidate : candidates) {
@@ -113,7 +113,8 @@ void Refiner<Dim>::insert_independent(const std::vector<Candidate<Dim>>& candida
   }
 }
 
-// The paper's round: first the prestar and the boundary test of every candidate, then the choice, then the insertions.
+// The paper's round: first the prestar and the boundary test of every candidate, then the choice, then the
+// insertions.
 template <int Dim>
 void Refiner<Dim>::insert_independent_literally(const std::vector<Candidate<Dim>>& candidates) {
   std::vector<const Candidate<Dim>*> chosen;

@@ -19,9 +19,9 @@ namespace sinkmesh {
 template <int Dim>
 class SinkWalk {
  public:
-  /// Calls visit(sink) for the sinks of s, until it returns true. At each simplex the successor with the largest
-  /// circumsphere comes first: the flow leads to larger ones, so this is the longest way down. Each simplex is met once; the
-  /// visitor may change the complex when it returns true.
+  /// Calls visit(sink) for the sinks of s, until it returns true. At each simplex the successor with the
+  /// largest circumsphere comes first: the flow leads to larger ones, so this is the longest way down. Each
+  /// simplex is met once; the visitor may change the complex when it returns true.
   /// @return whether it did.
   template <class Visit>
   bool operator()(Flow<Dim>& flow, Simplex s, Visit&& visit) {
@@ -63,7 +63,8 @@ class SinkWalk {
     for (std::size_t i = first; i < stack_.size(); ++i) {
       const Simplex s = stack_[i];
       Key key{complex.is_ghost(s) ? HUGE_VAL : shape<Dim>(complex.corners(s)).radius2, {}, s};
-      for (int k = 0; k <= Dim; ++k) key.corners[static_cast<std::size_t>(k)] = complex.point(complex.corner(s, k));
+      for (int k = 0; k <= Dim; ++k)
+        key.corners[static_cast<std::size_t>(k)] = complex.point(complex.corner(s, k));
       std::sort(key.corners.begin(), key.corners.end());
       keys_.push_back(key);
     }

@@ -35,7 +35,8 @@ std::size_t SphereSet<Dim>::CellHash::operator()(const Cell& cell) const {
 template <int Dim>
 bool SphereSet<Dim>::is_orthogonal_to_all(const Sphere& sphere) const {
   for (const Level& level : levels_) {
-    // Closer than orthogonal means distance < sqrt(r^2 + R^2) < r + R; the factor covers the rounding of both radii.
+    // Closer than orthogonal means distance < sqrt(r^2 + R^2) < r + R; the factor covers the rounding of both
+    // radii.
     const double reach = (std::sqrt(sphere.radius2) + std::ldexp(1.0, level.exponent)) * (1 + 0x1p-20);
     Cell low;
     Cell high;
@@ -46,7 +47,8 @@ bool SphereSet<Dim>::is_orthogonal_to_all(const Sphere& sphere) const {
     for (Cell cell = low;;) {
       if (const auto found = level.cells.find(cell); found != level.cells.end()) {
         for (const std::uint32_t i : found->second) {
-          if (predicates_->orthogonality(pointers<Dim>(sphere.corners), pointers<Dim>(spheres_[i].corners)) < 0) {
+          if (predicates_->orthogonality(pointers<Dim>(sphere.corners), pointers<Dim>(spheres_[i].corners)) <
+              0) {
             return false;
           }
         }
@@ -65,7 +67,8 @@ bool SphereSet<Dim>::is_orthogonal_to_all(const Sphere& sphere) const {
 template <int Dim>
 void SphereSet<Dim>::add(const Sphere& sphere) {
   const int exponent = exponent_of(sphere.radius2);
-  auto level = std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.exponent == exponent; });
+  auto level =
+      std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.exponent == exponent; });
   if (level == levels_.end()) level = levels_.insert(levels_.end(), Level{exponent, {}});
   Cell cell;
   for (std::size_t k = 0; k < Dim; ++k) cell[k] = cell_of(sphere.center[k], exponent);

@@ -12,8 +12,8 @@
 
 namespace sinkmesh {
 
-/// Circumspheres of simplices, kept by their corners, so that they outlive them. The test is exact; a grid for each
-/// binade of radii only narrows down which spheres are tested.
+/// Circumspheres of simplices, kept by their corners, so that they outlive them. The test is exact; a grid for
+/// each binade of radii only narrows down which spheres are tested.
 template <int Dim>
 class SphereSet {
  public:
@@ -25,8 +25,8 @@ class SphereSet {
     double radius2;     ///< rounded
   };
 
-  /// Whether the sphere is orthogonal to or further from every sphere in the set. Fast if no sphere in the set is much
-  /// smaller: add spheres by decreasing radius.
+  /// Whether the sphere is orthogonal to or further from every sphere in the set. Fast if no sphere in the set
+  /// is much smaller: add spheres by decreasing radius.
   bool is_orthogonal_to_all(const Sphere& sphere) const;
   void add(const Sphere& sphere);
 

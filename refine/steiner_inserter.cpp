@@ -19,8 +19,8 @@ bool is_strictly_inside(const Corners<3>& s, const Point3& x) {
   return insphere(*s[0], *s[1], *s[2], *s[3], x) > 0;
 }
 
-// Below this fraction of the largest coordinate, which is in [1,2) behind the gate, rounding a center moves it by a
-// noticeable part of the distance between vertices.
+// Below this fraction of the largest coordinate, which is in [1,2) behind the gate, rounding a center moves it
+// by a noticeable part of the distance between vertices.
 constexpr double kResolution2 = 0x1p-80;
 
 // A sum of Dim squares of rounded differences has a relative error below (Dim+2) 2^-53.
@@ -39,9 +39,10 @@ SteinerInserter<Dim>::SteinerInserter(Triangulation<Dim>& triangulation, Domain<
   }
   separation2_ = shortest2 * kDown;
   if (separation2_ < kResolution2) {
-    throw InputError("two vertices are " + std::to_string(std::sqrt(shortest2) / 2) +
-                     " times the largest coordinate apart: the input is at the resolution of doubles; move it to the "
-                     "origin, or merge vertices");
+    throw InputError(
+        "two vertices are " + std::to_string(std::sqrt(shortest2) / 2) +
+        " times the largest coordinate apart: the input is at the resolution of doubles; move it to the "
+        "origin, or merge vertices");
   }
   std::vector<bool> used(complex().num_vertices(), false);
   for (const Simplex s : complex().simplices()) {
@@ -115,7 +116,8 @@ template <int Dim>
 Verdict SteinerInserter<Dim>::locate(const Candidate<Dim>& candidate, Simplex& start) {
   if (is_current(candidate.simplex, candidate.birth)) {
     start = candidate.simplex;
-    return is_strictly_inside(complex().corners(start), candidate.center) ? Verdict::inserted : Verdict::separation;
+    return is_strictly_inside(complex().corners(start), candidate.center) ? Verdict::inserted
+                                                                          : Verdict::separation;
   }
   triangulation_->announce(candidate.center);
   const Location<Dim> at =

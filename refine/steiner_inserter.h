@@ -25,37 +25,42 @@ struct Candidate {
   Point<Dim> center{};      ///< exact, rounded once
   std::array<Point<Dim>, Dim + 1> corners{};
   double radius2 = 0;
-  std::uint64_t tie = 0;    ///< orders candidates of equal radius; a function of the geometry
+  std::uint64_t tie = 0;  ///< orders candidates of equal radius; a function of the geometry
 };
 
 /// What became of a candidate.
 enum class Verdict : std::uint8_t { inserted, boundary, crossing, separation, dependent };
 
-/// Keeps the triangulation, the domain, the flow and the list of simplices of low quality together while points are
-/// inserted; knows nothing of schedules.
+/// Keeps the triangulation, the domain, the flow and the list of simplices of low quality together while points
+/// are inserted; knows nothing of schedules.
 ///
-/// Why a refinement ends [EG01, 4.4; PS, 8]. delta is fixed once: the shortest distance between input vertices. A
-/// point is inserted only if it is, as stored, strictly inside the circumsphere of its simplex, and at least delta away from all
-/// vertices of the closure of its prestar; the nearest vertex of a new point is among these, since it is a Delaunay
-/// neighbour. So all vertices stay delta apart, inside a bounded domain, and by packing there are finitely many.
-/// Every other verdict but `dependent` rejects the simplex until it dies. So each attempt inserts one of boundedly many
-/// points, or rejects one of finitely many simplices; `dependent` occurs only in rounds that insert another point.
+/// Why a refinement ends [EG01, 4.4; PS, 8]. delta is fixed once: the shortest distance between input vertices.
+/// A point is inserted only if it is, as stored, strictly inside the circumsphere of its simplex, and at least
+/// delta away from all vertices of the closure of its prestar; the nearest vertex of a new point is among
+/// these, since it is a Delaunay neighbour. So all vertices stay delta apart, inside a bounded domain, and by
+/// packing there are finitely many. Every other verdict but `dependent` rejects the simplex until it dies. So
+/// each attempt inserts one of boundedly many points, or rejects one of finitely many simplices; `dependent`
+/// occurs only in rounds that insert another point.
 ///
-/// Why a rejection is final while the simplex s lives, whatever is inserted elsewhere. Let x be the center of s, f a
-/// boundary facet, t the inside simplex at f, and t' the one that replaces t when y is inserted.
-/// - boundary: x is in the diametral ball of f, and f in the closure of Pt x, so t is in Pt x. If x lies on the inner side of f:
-///   y passed the boundary test, so the center of t' is on the inner side, and its ball holds the inner half of the
-///   diametral ball, hence x; f stays in the closure. If x lies beyond f: see crossing.
-/// - crossing: a simplex o outside, at f, is in conflict with x. o never changes. If x lies on the inner side of f, the ball
-///   of t' holds what the ball of o has there, because f is Delaunay; so x is still reached. If x lies beyond f, x has
-///   left the domain, and every way from s to x crosses the boundary, at a facet whose outer simplex is in conflict.
+/// Why a rejection is final while the simplex s lives, whatever is inserted elsewhere. Let x be the center of
+/// s, f a boundary facet, t the inside simplex at f, and t' the one that replaces t when y is inserted.
+/// - boundary: x is in the diametral ball of f, and f in the closure of Pt x, so t is in Pt x. If x lies on the
+/// inner side of f:
+///   y passed the boundary test, so the center of t' is on the inner side, and its ball holds the inner half of
+///   the diametral ball, hence x; f stays in the closure. If x lies beyond f: see crossing.
+/// - crossing: a simplex o outside, at f, is in conflict with x. o never changes. If x lies on the inner side
+/// of f, the ball
+///   of t' holds what the ball of o has there, because f is Delaunay; so x is still reached. If x lies beyond
+///   f, x has left the domain, and every way from s to x crosses the boundary, at a facet whose outer simplex
+///   is in conflict.
 /// - separation: vertices do not move, and the nearest one stays a neighbour.
 /// So the verdict is cached, and rounds that recompute it (--literal) come to the same mesh.
 template <int Dim>
 class SteinerInserter {
  public:
   /// Requires a stable domain: no flow leads out of it.
-  /// @throws InputError if delta is below 2^-40 of the largest coordinate: the input is at the resolution of doubles.
+  /// @throws InputError if delta is below 2^-40 of the largest coordinate: the input is at the resolution of
+  /// doubles.
   SteinerInserter(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, double max_ratio);
 
   /// Finds the simplices of low quality. Call it once, after on_low_quality is set.
@@ -79,8 +84,8 @@ class SteinerInserter {
   bool is_rejected(Simplex s) const { return rejection(s) != Verdict::inserted; }
   /// The reason, or `inserted` for none.
   Verdict rejection(Simplex s) const { return static_cast<Verdict>(notes_[s.index()] >> kVerdictShift); }
-  /// A number that no two simplices in the same slot share (but for a wrap after 2^32 simplices, which can change the
-  /// order of work, and nothing else).
+  /// A number that no two simplices in the same slot share (but for a wrap after 2^32 simplices, which can
+  /// change the order of work, and nothing else).
   std::uint32_t birth(Simplex s) const { return birth_[s.index()]; }
   bool is_current(Simplex s, std::uint32_t birth) const {
     return complex().is_alive(s) && birth_[s.index()] == birth;
@@ -101,14 +106,16 @@ class SteinerInserter {
   std::uint64_t tie(Simplex s) const;
 
   /// Looks for the prestar of a candidate whose simplex lives; leaves the complex unchanged.
-  /// @param closure  receives the vertices of the closure of the prestar, if the verdict is `inserted`, which here
+  /// @param closure  receives the vertices of the closure of the prestar, if the verdict is `inserted`, which
+  /// here
   ///                 means: could be inserted.
   Verdict test(const Candidate<Dim>& candidate, std::vector<Vertex>& closure);
 
   /// Tests a candidate, and inserts it if it passes.
   ///
   /// If its simplex has died, the point is located again, from the vertex that outlives it.
-  /// @param is_taken  asked for each vertex of the closure of the prestar; a claim ends the search with the verdict
+  /// @param is_taken  asked for each vertex of the closure of the prestar; a claim ends the search with the
+  /// verdict
   ///                  `dependent`.
   template <class IsTaken>
   Verdict insert(const Candidate<Dim>& candidate, IsTaken&& is_taken);
@@ -116,7 +123,8 @@ class SteinerInserter {
     return insert(candidate, [](Vertex) { return false; });
   }
 
-  /// After an insertion: calls visit(v) for every vertex of the closed star of the new point, some more than once.
+  /// After an insertion: calls visit(v) for every vertex of the closed star of the new point, some more than
+  /// once.
   template <class Visit>
   void visit_closed_star(Visit&& visit) const {
     for (std::size_t i = 0; i < cavity_.num_facets(); ++i) {
@@ -194,8 +202,8 @@ class SteinerInserter<Dim>::Guide {
       verdict_ = Verdict::boundary;
       return Passage::stop;
     }
-    // Goes on after a crossing: a boundary facet met later may hold x in its diametral sphere, which is the reason
-    // that is reported, whatever the order of the search.
+    // Goes on after a crossing: a boundary facet met later may hold x in its diametral sphere, which is the
+    // reason that is reported, whatever the order of the search.
     crossed_ = crossed_ || in_conflict(complex, predicates, beyond, *x_);
     return Passage::wall;
   }

@@ -13,9 +13,10 @@
 
 namespace sinkmesh {
 
-/// Entries for simplices that have died in the meantime stay until they are met. There are many of them, so a single
-/// heap would spend most of its time on the dead; instead entries wait unsorted in buckets by exponent and two bits of
-/// the mantissa of the priority, and only the highest bucket becomes a heap, from what is then alive [SN, 4].
+/// Entries for simplices that have died in the meantime stay until they are met. There are many of them, so a
+/// single heap would spend most of its time on the dead; instead entries wait unsorted in buckets by exponent
+/// and two bits of the mantissa of the priority, and only the highest bucket becomes a heap, from what is then
+/// alive [SN, 4].
 class WorstFirstQueue {
  public:
   struct Entry {

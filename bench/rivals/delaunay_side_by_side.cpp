@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Delaunay triangulation in space, ours and CGAL's, in turn and in one process: prints user seconds and their ratio.
+// Delaunay triangulation in space, ours and CGAL's, in turn and in one process: prints user seconds and their
+// ratio.
 //
 //   sinkmesh_rival_delaunay [points [repetitions]]
 #include <CGAL/Delaunay_triangulation_3.h>

@@ -26,22 +26,26 @@ double six_volumes(const Triangulation3& triangulation, const Domain<3>& domain)
   double sum = 0;
   for (const Simplex s : domain.simplices()) {
     std::array<Point3, 4> p;
-    for (int i = 0; i < 4; ++i) p[static_cast<std::size_t>(i)] = triangulation.point(triangulation.complex().corner(s, i));
+    for (int i = 0; i < 4; ++i)
+      p[static_cast<std::size_t>(i)] = triangulation.point(triangulation.complex().corner(s, i));
     std::array<Point3, 3> d;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t k = 0; k < 3; ++k) d[i][k] = p[i + 1][k] - p[0][k];
     }
-    sum += d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) + d[0][1] * (d[1][2] * d[2][0] - d[1][0] * d[2][2]) +
+    sum += d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) +
+           d[0][1] * (d[1][2] * d[2][0] - d[1][0] * d[2][2]) +
            d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
   }
   return sum;
 }
 
-// The triangles that the triangulation chose on the sides of boxes, since those of a box surface may be the others.
+// The triangles that the triangulation chose on the sides of boxes, since those of a box surface may be the
+// others.
 Surface3 with_delaunay_sides(Surface3 surface, const Triangulation3& triangulation) {
   const std::vector<std::size_t> missing = Domain<3>(triangulation).label_by_parity(facets_of(surface));
   for (std::size_t side = 0; side < surface.facets.size(); side += 2) {
-    if (std::none_of(missing.begin(), missing.end(), [&](std::size_t f) { return f / 2 == side / 2; })) continue;
+    if (std::none_of(missing.begin(), missing.end(), [&](std::size_t f) { return f / 2 == side / 2; }))
+      continue;
     // Two triangles abc, acd of a box side, whichever way they turn: take the other diagonal.
     std::vector<std::uint32_t> shared;
     std::vector<std::uint32_t> single;
@@ -64,8 +68,8 @@ TEST(Domain, NestedBoxesAlternateBetweenInsideAndOutside) {
   for (const bool turned : {false, true}) {
     Surface3 middle = box_surface({2, 2, 2}, {8, 8, 8});
     if (turned) middle = test::reversed(middle);
-    Surface3 surface = test::join(test::join(box_surface({0, 0, 0}, {10, 10, 10}), middle),
-                                  box_surface({4, 4, 4}, {6, 6, 6}));
+    Surface3 surface =
+        test::join(test::join(box_surface({0, 0, 0}, {10, 10, 10}), middle), box_surface({4, 4, 4}, {6, 6, 6}));
     const Triangulation3 triangulation(surface.points);
     surface = with_delaunay_sides(surface, triangulation);
     Domain<3> domain(triangulation);

@@ -18,15 +18,16 @@ using Rational = mpq_class;
 std::array<Rational, 3> solve(const std::array<std::array<Rational, 4>, 3>& rows) {
   const auto det = [&](int i, int j, int k) -> Rational {
     const auto& r = rows;
-    return r[0][i] * (r[1][j] * r[2][k] - r[1][k] * r[2][j]) - r[0][j] * (r[1][i] * r[2][k] - r[1][k] * r[2][i]) +
+    return r[0][i] * (r[1][j] * r[2][k] - r[1][k] * r[2][j]) -
+           r[0][j] * (r[1][i] * r[2][k] - r[1][k] * r[2][i]) +
            r[0][k] * (r[1][i] * r[2][j] - r[1][j] * r[2][i]);
   };
   const Rational d = det(0, 1, 2);
   return {det(3, 1, 2) / d, det(0, 3, 2) / d, det(0, 1, 3) / d};
 }
 
-// The circumcenter from |z-p|^2 = |z-a|^2, and its barycentric coordinates: negative for corner i means that it lies
-// beyond the facet opposite i. Independent of the polynomial G.
+// The circumcenter from |z-p|^2 = |z-a|^2, and its barycentric coordinates: negative for corner i means that it
+// lies beyond the facet opposite i. Independent of the polynomial G.
 std::array<int, 4> barycentric_signs(const Corners<3>& corners) {
   std::array<std::array<Rational, 3>, 4> p;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -125,8 +126,8 @@ TEST(Flow, IsTheSideOfTheExactCircumcenterOrAPerturbedTie) {
   EXPECT_GT(ties, 1000U);
 }
 
-// Repeatedly takes away what has no successor left: everything goes iff there is no cycle. Then each simplex leads to
-// a sink or to omega, because a simplex that is neither has a successor.
+// Repeatedly takes away what has no successor left: everything goes iff there is no cycle. Then each simplex
+// leads to a sink or to omega, because a simplex that is neither has a successor.
 TEST(Flow, IsAcyclicAndEndsInSinksOrOmegaOnDegenerateInput) {
   for (const Cloud& cloud : clouds()) {
     SCOPED_TRACE(cloud.name);

@@ -62,7 +62,8 @@ std::vector<std::array<std::uint32_t, 3>> sorted_facets(std::vector<std::array<s
 }
 
 // Everything that must hold of a refined mesh, looked at from outside.
-void expect_refined(const Surface3& surface, const SurfaceMesher3& mesher, const RefineResult& result, double max_ratio) {
+void expect_refined(const Surface3& surface, const SurfaceMesher3& mesher, const RefineResult& result,
+                    double max_ratio) {
   EXPECT_TRUE(mesher.triangulation().validate().ok()) << mesher.triangulation().validate();
   const Mesh3 mesh = mesher.mesh();
   EXPECT_EQ(sorted_facets(mesh.boundary), sorted_facets(surface.facets));
@@ -115,12 +116,13 @@ TEST_P(PaperModel, RatioOneEndsWithAReasonForEverySimplexLeft) {
   EXPECT_GT(result.rejected.boundary, 0U);
 }
 
-// The mesh is a function of the surface as a set: order of points and facets, orientation, and position of a power of
-// two do not matter.
+// The mesh is a function of the surface as a set: order of points and facets, orientation, and position of a
+// power of two do not matter.
 TEST_P(PaperModel, DoesNotDependOnTheOrderOfTheInput) {
   const Surface3 surface = test::ellipsoid_surface(3, {1, 1.2, 0.8}, 2e-3);
   std::vector<std::uint64_t> hashes;
-  for (const Surface3& variant : {surface, test::shuffled(surface, 1), test::shuffled(test::reversed(surface), 2)}) {
+  for (const Surface3& variant :
+       {surface, test::shuffled(surface, 1), test::shuffled(test::reversed(surface), 2)}) {
     SurfaceMesher3 mesher(variant);
     mesher.find_domain();
     RefineOptions options = options_of(GetParam());
@@ -135,7 +137,8 @@ TEST_P(PaperModel, DoesNotDependOnTheOrderOfTheInput) {
 INSTANTIATE_TEST_SUITE_P(AllCombinations, PaperModel, testing::ValuesIn(kCombinations),
                          [](const auto& combination) { return combination.param.name; });
 
-// Central symmetry makes equal ratios and radii the rule on this model: ties must not depend on numbering either.
+// Central symmetry makes equal ratios and radii the rule on this model: ties must not depend on numbering
+// either.
 TEST(Refiner, TiesOfASymmetricModelDoNotDependOnTheNumbering) {
   const Surface3 surface = model("cuboctahedron");
   for (const Combination& combination : kCombinations) {
@@ -302,12 +305,18 @@ TEST(Refiner, RefusesInputAtTheResolutionOfDoubles) {
   Surface3 surface = test::ellipsoid_surface(2, {1, 1, 1}, 1e-3);
   for (Point3& p : surface.points) p[0] = std::ldexp(1.0, 43) + std::round(std::ldexp(p[0], 2));
   SurfaceMesher3 mesher(surface);
-  EXPECT_THROW({ mesher.find_domain(); mesher.refine({}); }, InputError);
+  EXPECT_THROW(
+      {
+        mesher.find_domain();
+        mesher.refine({});
+      },
+      InputError);
 }
 
 TEST(SurfaceMesher, SurfaceThatIsNotDelaunayIsRefusedWithTheNumberOfFacets) {
   // Of a long thin box with two triangles a side, most are no Delaunay facets once a vertex is near them.
-  Surface3 surface = test::join(test::box_surface({0, 0, 0}, {10, 10, 1}), test::box_surface({4, 4, 1.5}, {6, 6, 2}));
+  Surface3 surface =
+      test::join(test::box_surface({0, 0, 0}, {10, 10, 1}), test::box_surface({4, 4, 1.5}, {6, 6, 2}));
   try {
     SurfaceMesher3(surface).find_domain();
     FAIL() << "accepted";

@@ -32,7 +32,8 @@ TEST(SphereSet, AgreesWithTestingAllPairs) {
   const Predicates<3> predicates({{-2, -2, -2}, {2, 2, 2}}, 121);
   std::mt19937_64 random(5);
   std::vector<SphereSet<3>::Sphere> spheres;
-  for (int i = 0; i < 3000; ++i) spheres.push_back(random_sphere(random, std::ldexp(1.0, -static_cast<int>(random() % 8))));
+  for (int i = 0; i < 3000; ++i)
+    spheres.push_back(random_sphere(random, std::ldexp(1.0, -static_cast<int>(random() % 8))));
   std::sort(spheres.begin(), spheres.end(), [](const auto& a, const auto& b) { return a.radius2 > b.radius2; });
 
   SphereSet<3> set(predicates);

@@ -35,8 +35,9 @@ TEST(WorstFirstQueue, PopsLivingEntriesByPriorityThenTie) {
     if (random() % 5 < 3) {
       // Few distinct values, so that ties and infinities occur.
       const std::uint64_t pick = random() % 40;
-      const double priority = pick == 0 ? std::numeric_limits<double>::infinity()
-                                        : std::ldexp(1 + static_cast<double>(pick % 8) / 8, static_cast<int>(pick / 8));
+      const double priority =
+          pick == 0 ? std::numeric_limits<double>::infinity()
+                    : std::ldexp(1 + static_cast<double>(pick % 8) / 8, static_cast<int>(pick / 8));
       const Entry entry{priority, random(), Simplex(static_cast<std::uint32_t>(is_dead.size())), 0};
       is_dead.push_back(false);
       alive.insert({entry.priority, entry.tie, entry.simplex.index()});

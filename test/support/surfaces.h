@@ -26,8 +26,8 @@ inline Surface3 box_surface(const Point3& low, const Point3& high) {
   return surface;
 }
 
-/// Octahedron subdivided `levels` times, its vertices pushed to the unit sphere, then scaled to the half-axes, and
-/// moved a little along its normal (fraction `jitter`, fixed seed), so that it is not cospherical.
+/// Octahedron subdivided `levels` times, its vertices pushed to the unit sphere, then scaled to the half-axes,
+/// and moved a little along its normal (fraction `jitter`, fixed seed), so that it is not cospherical.
 inline Surface3 ellipsoid_surface(int levels, const Point3& axes, double jitter = 0) {
   Surface3 s;
   s.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
