@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <span>
+#include <sstream>
 
 #include "core/triangulation.h"
 #include "predicates/input_gate.h"
@@ -23,22 +23,28 @@ int in_sphere(const Corners<3>& s, const Point3& x) { return insphere(*s[0], *s[
 int orient(const Corners<2>& s) { return orient2d(*s[0], *s[1], *s[2]); }
 int orient(const Corners<3>& s) { return orient3d(*s[0], *s[1], *s[2], *s[3]); }
 
+// The parts of a message, one after the other.
+template <class... Parts>
+std::string text(const Parts&... parts) {
+  std::ostringstream out;
+  (out << ... << parts);
+  return out.str();
+}
+
 template <int Dim>
-std::string text(const Point<Dim>& p) {
-  std::string result = "(";
-  for (int k = 0; k < Dim; ++k) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%s%.17g", k == 0 ? "" : ", ", p[k]);
-    result += buffer;
-  }
-  return result + ")";
+std::string coordinates(const Point<Dim>& p) {
+  std::ostringstream out;
+  out.precision(17);
+  for (int k = 0; k < Dim; ++k) out << (k == 0 ? "(" : ", ") << p[k];
+  out << ')';
+  return out.str();
 }
 
 template <class Ids>
 std::string list(const Ids& ids) {
-  std::string result;
-  for (const std::uint32_t id : ids) result += (result.empty() ? "" : " ") + std::to_string(id);
-  return result;
+  std::ostringstream out;
+  for (const std::uint32_t id : ids) out << ' ' << id;
+  return out.str();
 }
 
 template <int Dim>
@@ -77,9 +83,9 @@ class MeshChecker {
     check_.defects.push_back({kind, std::move(message)});
   }
   std::string describe(std::size_t s) const {
-    std::string result = "simplex " + std::to_string(s) + " with the corners";
+    std::string result = text("simplex ", s, " with the corners");
     for (const std::uint32_t v : mesh_.simplices[s]) {
-      result += " " + std::to_string(v) + " " + text<Dim>(mesh_.points[v]);
+      result += text(' ', v, ' ', coordinates<Dim>(mesh_.points[v]));
     }
     return result;
   }
@@ -91,8 +97,8 @@ class MeshChecker {
       const bool repeated = std::adjacent_find(corners.begin(), corners.end()) != corners.end();
       if (corners.back() >= mesh_.points.size() || repeated) {
         report(MeshDefect::Kind::bad_corner,
-               "simplex " + std::to_string(s) + " has the corners " + list(mesh_.simplices[s]) +
-                   (repeated ? ": one of them twice" : ": there is no such vertex"));
+               text("simplex ", s, " has the corners", list(mesh_.simplices[s]),
+                    repeated ? ": one of them twice" : ": there is no such vertex"));
       }
     }
   }
@@ -119,8 +125,7 @@ class MeshChecker {
     for (std::size_t v = 0; v < points_.size(); ++v) {
       for (const double x : points_[v]) {
         if (std::isfinite(x)) continue;
-        report(MeshDefect::Kind::not_finite,
-               "vertex " + std::to_string(ids_[v]) + " at " + text<Dim>(points_[v]));
+        report(MeshDefect::Kind::not_finite, text("vertex ", ids_[v], " at ", coordinates<Dim>(points_[v])));
         break;
       }
     }
@@ -139,8 +144,10 @@ class MeshChecker {
   }
 
   void check_volumes() {
+    is_positive_.resize(num_simplices());
     for (std::size_t s = 0; s < num_simplices(); ++s) {
       const int sign = orient(corners(s));
+      is_positive_[s] = sign > 0;
       if (sign != 0) check_.quality.template add<Dim>(corners(s));
       if (sign > 0) continue;
       report(sign == 0 ? MeshDefect::Kind::flat : MeshDefect::Kind::inverted, describe(s));
@@ -156,8 +163,8 @@ class MeshChecker {
     for (std::size_t k = 1; k < order.size(); ++k) {
       if (points_[order[k - 1]] != points_[order[k]]) continue;
       const std::uint32_t v = ids_[order[k]];
-      report(MeshDefect::Kind::duplicate_point, "vertices " + std::to_string(ids_[order[k - 1]]) + " and " +
-                                                    std::to_string(v) + " at " + text<Dim>(mesh_.points[v]));
+      report(MeshDefect::Kind::duplicate_point,
+             text("vertices ", ids_[order[k - 1]], " and ", v, " at ", coordinates<Dim>(mesh_.points[v])));
     }
   }
 
@@ -206,21 +213,20 @@ class MeshChecker {
   }
 
   void check_sides(std::span<const FacetEntry> same) {
-    const auto facet = [&] {
-      std::string result = "facet";
-      for (const std::uint32_t v : same[0].vertices) result += " " + std::to_string(ids_[v]);
-      return result + " of the simplices";
-    };
-    const auto simplices = [&] {
-      std::string result;
-      for (const FacetEntry& entry : same) result += " " + std::to_string(entry.half_facet / (Dim + 1));
-      return result;
-    };
-    if (same.size() > 2) {
-      report(MeshDefect::Kind::crowded_facet, facet() + simplices());
-    } else if (same[0].odd == same[1].odd) {
-      report(MeshDefect::Kind::same_side, facet() + simplices());
+    const auto kind = same.size() > 2 ? MeshDefect::Kind::crowded_facet : MeshDefect::Kind::same_side;
+    if (kind == MeshDefect::Kind::same_side) {
+      // The side of a simplex without positive volume says nothing more.
+      for (const FacetEntry& entry : same) {
+        if (!is_positive_[entry.half_facet / (Dim + 1)]) return;
+      }
+      if (same[0].odd != same[1].odd) return;
     }
+    std::ostringstream message;
+    message << "facet";
+    for (const std::uint32_t v : same[0].vertices) message << ' ' << ids_[v];
+    message << " of the simplices";
+    for (const FacetEntry& entry : same) message << ' ' << entry.half_facet / (Dim + 1);
+    report(kind, message.str());
   }
 
   void find_components() {
@@ -291,8 +297,7 @@ class MeshChecker {
       for (; probe != probes.end() && probe->point[0] <= box.high[0]; ++probe) {
         if (component_[probe->simplex] == component_[s] || !box.contains(probe->point)) continue;
         if (holds(c, probe->point, false)) {
-          report(MeshDefect::Kind::overlap,
-                 "simplices " + std::to_string(probe->simplex) + " and " + std::to_string(s));
+          report(MeshDefect::Kind::overlap, text("simplices ", probe->simplex, " and ", s));
         }
       }
     }
@@ -377,7 +382,8 @@ class MeshChecker {
   std::vector<std::uint32_t> number_;  // of a point among the vertices
   std::vector<std::uint32_t> ids_;     // of a vertex among the points
   std::vector<Point<Dim>> points_;     // of the vertices; gated once they are known to be finite
-  std::vector<std::uint32_t> mate_;    // of half-facets, (Dim+1)*simplex + corner
+  std::vector<bool> is_positive_;
+  std::vector<std::uint32_t> mate_;  // of half-facets, (Dim+1)*simplex + corner
   std::vector<std::uint32_t> component_;
   std::vector<sinkmesh::Simplex> star_;
   std::vector<std::uint32_t> seen_;  // of a simplex of the triangulation: the last search that met it

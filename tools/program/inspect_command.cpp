@@ -25,7 +25,7 @@ void inspect_surface_file(const InspectArguments& arguments, Format format, Insp
   SourceLines lines;
   const Surface<Dim> surface = read_surface<Dim>(arguments.files.input, {format, &lines});
   begin(inspection, arguments, "surface", format, Dim);
-  inspect_surface<Dim>(surface, lines, inspection);
+  inspect_surface<Dim>(surface, lines, arguments.ratio, inspection);
 }
 
 template <int Dim>

@@ -18,7 +18,8 @@ struct Inspection {
 };
 
 template <int Dim>
-void inspect_surface(const Surface<Dim>& surface, const SourceLines& lines, Inspection& inspection);
+void inspect_surface(const Surface<Dim>& surface, const SourceLines& lines, double max_ratio,
+                     Inspection& inspection);
 
 template <int Dim>
 void inspect_mesh(const Mesh<Dim>& mesh, double max_ratio, Inspection& inspection);

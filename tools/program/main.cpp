@@ -55,9 +55,9 @@ ExitStatus run_on(const std::string& file, const Arguments& arguments) {
 }
 
 ExitStatus run_program(int argc, char** argv) {
-  CLI::App program("Exact Delaunay meshes, refined by inserting sinks.");
+  CLI::App program("Exact Delaunay meshes, refined by inserting sinks.", "sinkmesh");
   program.set_version_flag("--version", "sinkmesh " SINKMESH_VERSION);
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);  // so that an unknown one is named
   program.footer(
       "Example:\n  sinkmesh refine rotor.off -o rotor.vtu\n\n"
       "sinkmesh COMMAND --help tells more about a command.");
@@ -82,6 +82,8 @@ ExitStatus run_program(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return wrong_usage(chosen(), error.what());
   }
+
+  if (chosen() == nullptr) return wrong_usage(nullptr, "a command is needed: refine, delaunay or inspect");
 
   const std::string broken = predicates_self_test();
   if (!broken.empty()) return fail(ExitStatus::internal_error, "sinkmesh: " + broken);

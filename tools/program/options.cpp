@@ -28,9 +28,9 @@ CLI::Validator at_least(double least, const std::string& why) {
   return {[=](std::string& text) -> std::string {
             double value = 0;
             if (!CLI::detail::lexical_cast(text, value)) return fmt::format("'{}' is not a number", text);
-            if (value >= least && std::isfinite(value)) return {};
-            return fmt::format("{} is not a number of at least {:g}{}{}", text, least, why.empty() ? "" : ", ",
-                               why);
+            if (!std::isfinite(value)) return fmt::format("'{}' is not a finite number", text);
+            if (value >= least) return {};
+            return fmt::format("{} is below {:g}{}{}", text, least, why.empty() ? "" : ", ", why);
           },
           ""};
 }

@@ -214,7 +214,7 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   command
       ->add_option("--ratio", arguments.ratio,
                    "Largest ratio of circumradius to shortest edge that is good enough")
-      ->check(at_least(1, "below which refinement need not end"))
+      ->check(at_least(1, "the least for which refinement is sure to end"))
       ->capture_default_str();
   command->add_option("--insert", arguments.insert, "Which points to insert")
       ->check(CLI::IsMember({"sink", "circumcenter"}))

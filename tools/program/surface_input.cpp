@@ -28,4 +28,21 @@ Surface3 read_surface_input(const FileArguments& files, SourceLines& lines) {
   return read_surface<3>(files.input, {format, &lines});
 }
 
+void require_sound(const Surface3& surface, const SourceLines& lines, const std::string& path) {
+  for (const SurfaceDefect& defect : check_surface(surface)) {
+    if (severity(defect.kind) != SurfaceSeverity::error) continue;
+    const std::string message = fmt::format("{}; {} (sinkmesh inspect {} lists all defects)", defect.message,
+                                            advice(defect.kind), path == "-" ? "FILE" : printable(path, 200));
+    const std::size_t line = source_line(defect, lines);
+    if (line == 0) throw FileError(path, message);
+    throw FileError(path, line, message);
+  }
+}
+
+std::size_t source_line(const SurfaceDefect& defect, const SourceLines& lines) {
+  const std::size_t line = defect.facets.empty() ? 0 : lines.facet(defect.facets.front());
+  if (line != 0 || defect.vertices.empty()) return line;
+  return lines.point(defect.vertices.front());
+}
+
 }  // namespace sinkmesh::program
