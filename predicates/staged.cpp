@@ -86,7 +86,8 @@ int Predicates<Dim>::orthogonality(const Corners<Dim>& s, const Corners<Dim>& t)
     points[i] = s[i];
     points[i + Dim + 1] = t[i];
   }
-  return detail::exact_sign<detail::Orthogonality<Dim>>(points, 0).sign;
+  const int sign = detail::exact_sign<detail::Orthogonality<Dim>>(points, 0).sign;
+  return sign == 0 ? 0 : sign * orient(s) * orient(t);
 }
 
 template class Predicates<2>;

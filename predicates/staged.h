@@ -63,7 +63,7 @@ class Predicates {
     return flow_side_exactly(points);
   }
 
-  /// Unperturbed: see orthogonality() in predicates.h. Both simplices positively oriented.
+  /// Unperturbed: see orthogonality() in predicates.h.
   int orthogonality(const Corners<Dim>& s, const Corners<Dim>& t) const;
 
  private:

@@ -70,10 +70,11 @@ TEST(Quality, AnglesOfKnownSimplices) {
   const std::array<Point3, 4> corner = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   EXPECT_NEAR(angles<3>(pointers<3>(corner)).max, 90, 1e-12);
   EXPECT_NEAR(angles<3>(pointers<3>(corner)).min, std::acos(1 / std::sqrt(3.0)) * 180 / M_PI, 1e-12);
-  // A sliver: four points near the corners of a square, lifted by h; two dihedral angles near 180 degrees.
+  // A sliver: the corners of a square, two of them lifted by h, two lowered. Its facets have slopes of 2h, in directions
+  // at right angles, so they meet at 2 sqrt(2) h along the sides.
   const double h = 1e-9;
   const std::array<Point3, 4> sliver = {{{1, 0, h}, {-1, 0, h}, {0, 1, -h}, {0, -1, -h}}};
-  EXPECT_NEAR(angles<3>(pointers<3>(sliver)).min / (std::atan(2 * h) * 2 * 180 / M_PI), 1, 1e-6);
+  EXPECT_NEAR(angles<3>(pointers<3>(sliver)).min / (2 * std::sqrt(2.0) * h * 180 / M_PI), 1, 1e-6);
   EXPECT_GT(angles<3>(pointers<3>(sliver)).max, 179.99);
   const std::array<Point2, 3> half_square = {{{0, 0}, {1, 0}, {0, 1}}};
   EXPECT_NEAR(angles<2>(pointers<2>(half_square)).min, 45, 1e-12);
