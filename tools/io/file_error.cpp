@@ -3,28 +3,28 @@
 // One line per error, whatever bytes the file and its name are made of.
 #include "tools/io/file_error.h"
 
+#include "tools/io/detail/concat.h"
+
 namespace sinkmesh {
 namespace {
+
+using io_detail::concat;
 
 // Longer than any path the system opens.
 constexpr std::size_t kPathLimit = 4096;
 
-std::string place(std::string_view file, std::string_view rest) {
-  return printable(file, kPathLimit) + std::string(rest);
-}
+std::string printable_path(std::string_view file) { return printable(file, kPathLimit); }
 
 }  // namespace
 
 FileError::FileError(std::string_view file, std::string_view message)
-    : InputError(place(file, ": ") + std::string(message)), file_(file) {}
+    : InputError(concat(printable_path(file), ": ", message)), file_(file) {}
 
 FileError::FileError(std::string_view file, std::size_t line, std::string_view message)
-    : InputError(place(file, ":") + std::to_string(line) + ": " + std::string(message)),
-      file_(file),
-      line_(line) {}
+    : InputError(concat(printable_path(file), ":", line, ": ", message)), file_(file), line_(line) {}
 
 FileError FileError::at_byte(std::string_view file, std::size_t offset, std::string_view message) {
-  return {file, "at byte " + std::to_string(offset) + ": " + std::string(message)};
+  return {file, concat("at byte ", offset, ": ", message)};
 }
 
 std::string printable(std::string_view text, std::size_t limit) {

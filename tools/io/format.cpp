@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "tools/io/detail/concat.h"
 #include "tools/io/file_error.h"
 
 namespace sinkmesh {
 namespace {
+
+using io_detail::concat;
 
 // Roles as bits, for space and for the plane.
 constexpr unsigned bit(FileRole role) { return 1U << static_cast<unsigned>(role); }
@@ -111,26 +114,24 @@ std::string format_names(FileRole role, int dim) { return list(names(role, dim))
 Format format_from_name(std::string_view name) {
   std::vector<std::string_view> known;
   for (const Row& row : table()) {
-    if (name == row.name ||
-        std::find(row.suffixes.begin(), row.suffixes.end(), "." + std::string(name)) != row.suffixes.end()) {
-      return row.format;
-    }
+    const auto is_suffix = [&](std::string_view suffix) { return suffix.substr(1) == name; };
+    if (name == row.name || std::any_of(row.suffixes.begin(), row.suffixes.end(), is_suffix)) return row.format;
     known.push_back(row.name);
   }
-  throw InputError("no format is called '" + printable(name) + "': choose " + list(known));
+  throw InputError(concat("no format is called '", printable(name), "': choose ", list(known)));
 }
 
 Format format_of_path(const std::string& path, FileRole role, int dim) {
   const std::string suffix = lower_suffix(path);
-  const std::string choices = std::string(phrase(role)) + " " + suffix_names(role, dim);
+  const std::string choices = concat(phrase(role), " ", suffix_names(role, dim));
   for (const Row& row : table()) {
     if (std::find(row.suffixes.begin(), row.suffixes.end(), suffix) == row.suffixes.end()) continue;
     if (supports(row.format, role, dim)) return row.format;
-    throw FileError(path, "the format of " + suffix + " files does not fit here: " + choices);
+    throw FileError(path, concat("the format of ", suffix, " files does not fit here: ", choices));
   }
-  const std::string what =
-      suffix.empty() ? "the name has no suffix to tell the format" : "unknown suffix " + printable(suffix);
-  throw FileError(path, what + ": " + choices + "; or name the format (--format)");
+  const std::string what = suffix.empty() ? "the name has no suffix to tell the format"
+                                          : concat("unknown suffix ", printable(suffix));
+  throw FileError(path, concat(what, ": ", choices, "; or name the format (--format)"));
 }
 
 }  // namespace sinkmesh

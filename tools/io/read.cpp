@@ -7,11 +7,14 @@
 #include <type_traits>
 
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/file.h"
 #include "tools/io/detail/shapes.h"
 
 namespace sinkmesh {
 namespace {
+
+using io_detail::concat;
 
 using io_detail::file_exists;
 using io_detail::is_standard_stream;
@@ -51,14 +54,14 @@ struct Input {
     if (!options.format && is_standard_stream(path)) {
       const auto guess = format_of_bytes(bytes);
       if (!guess) {
-        throw FileError(file, "its format cannot be told from its first bytes: name it (--format " +
-                                  format_names(role, dim) + ")");
+        throw FileError(file, concat("its format cannot be told from its first bytes: name it (--format ",
+                                     format_names(role, dim), ")"));
       }
       format = *guess;
     }
     if (!supports(format, role, dim)) {
-      throw FileError(file, "the format " + std::string(name_of(format)) +
-                                " does not hold what is wanted here: use " + format_names(role, dim));
+      throw FileError(file, concat("the format ", name_of(format), " does not hold what is wanted here: use ",
+                                   format_names(role, dim)));
     }
   }
 
@@ -147,8 +150,8 @@ Surface<Dim> read_surface(const std::string& path, const ReadOptions& options) {
   const Input input(path, options, FileRole::surface_in, Dim);
   Surface<Dim> surface = decode_surface<Dim>(input, path, options.lines);
   if (surface.facets.empty()) {
-    throw FileError(input.file, "the file holds no " + std::string(io_detail::Shapes<Dim>::kFacet) +
-                                    ": a surface is needed here");
+    throw FileError(input.file,
+                    concat("the file holds no ", io_detail::Shapes<Dim>::kFacet, ": a surface is needed here"));
   }
   return surface;
 }
@@ -180,9 +183,8 @@ Mesh<Dim> read_mesh(const std::string& path, const ReadOptions& options) {
     mesh = decode_mesh<Dim>(Input(path, options, FileRole::mesh_in, Dim));
   }
   if (mesh.simplices.empty()) {
-    throw FileError(
-        name_for_messages(path),
-        "the file holds no " + std::string(io_detail::Shapes<Dim>::kSimplex) + ": a mesh is needed here");
+    throw FileError(name_for_messages(path),
+                    concat("the file holds no ", io_detail::Shapes<Dim>::kSimplex, ": a mesh is needed here"));
   }
   return mesh;
 }

@@ -10,23 +10,26 @@
 #include <vector>
 
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/file.h"
 #include "tools/io/detail/shapes.h"
 
 namespace sinkmesh {
 namespace {
 
+using io_detail::concat;
+
 using io_detail::is_standard_stream;
 
 Format output_format(const std::string& path, std::optional<Format> format, FileRole role, int dim) {
   if (!format && is_standard_stream(path)) {
-    throw FileError("standard output",
-                    "it has no suffix to tell the format: name it (--format " + format_names(role, dim) + ")");
+    throw FileError("standard output", concat("it has no suffix to tell the format: name it (--format ",
+                                              format_names(role, dim), ")"));
   }
   const Format result = format ? *format : format_of_path(path, role, dim);
   if (!supports(result, role, dim)) {
-    throw FileError(path, "the format " + std::string(name_of(result)) +
-                              " does not hold what is to be written: use " + format_names(role, dim));
+    throw FileError(path, concat("the format ", name_of(result), " does not hold what is to be written: use ",
+                                 format_names(role, dim)));
   }
   return result;
 }
@@ -36,8 +39,8 @@ void check_indices(const Cells& cells, std::size_t points, const char* what) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     for (const std::uint32_t v : cells[i]) {
       if (v >= points) {
-        throw InputError(std::string(what) + " " + std::to_string(i) + " refers to point " + std::to_string(v) +
-                         ", but there are " + std::to_string(points) + " points: it cannot be written");
+        throw InputError(concat(what, " ", i, " refers to point ", v, ", but there are ", points,
+                                " points: it cannot be written"));
       }
     }
   }
@@ -52,8 +55,8 @@ template <int Dim>
 void check_fields(const Mesh<Dim>& mesh, Format format) {
   for (const auto& field : mesh.simplex_fields) {
     if (field.values.size() != mesh.simplices.size()) {
-      throw InputError("field '" + printable(field.name) + "' has " + std::to_string(field.values.size()) +
-                       " values for " + std::to_string(mesh.simplices.size()) + " simplices");
+      throw InputError(concat("field '", printable(field.name), "' has ", field.values.size(), " values for ",
+                              mesh.simplices.size(), " simplices"));
     }
   }
   if (mesh.simplex_fields.empty() || !holds_one_tag(format)) return;
@@ -61,8 +64,8 @@ void check_fields(const Mesh<Dim>& mesh, Format format) {
   const auto& first = mesh.simplex_fields.front();
   for (const std::int64_t value : first.values) {
     if (value < Limits::min() || value > Limits::max()) {
-      throw InputError("field '" + printable(first.name) + "' holds " + std::to_string(value) +
-                       ", which does not fit the 32-bit tags of this format: write .vtu instead");
+      throw InputError(concat("field '", printable(first.name), "' holds ", value,
+                              ", which does not fit the 32-bit tags of this format: write .vtu instead"));
     }
   }
 }

@@ -14,6 +14,8 @@
 #include <system_error>
 #include <utility>
 
+#include "tools/io/detail/concat.h"
+
 namespace sinkmesh::io_detail {
 namespace {
 
@@ -73,7 +75,7 @@ const char* advice(int error) {
 }
 
 std::string explain(const std::string& action, int error) {
-  return action + ": " + reason(error) + advice(error);
+  return concat(action, ": ", reason(error), advice(error));
 }
 
 // Reads to the end whatever its size turns out to be: a file may grow, and a pipe has none.
@@ -145,7 +147,7 @@ OutputFile::OutputFile(const std::string& path) : name_(output_name(path)) {
   // Short, so that it fits where the name itself does; the counter tells the threads of a process apart.
   static std::atomic<unsigned> counter{0};
   for (int attempt = 0; stream_ == nullptr; ++attempt) {
-    const std::string file = ".sinkmesh-" + std::to_string(getpid()) + "-" + std::to_string(counter++) + ".tmp";
+    const std::string file = concat(".sinkmesh-", getpid(), "-", counter++, ".tmp");
     const std::string candidate = (target.parent_path() / file).string();
     stream_ = std::fopen(candidate.c_str(), "wbx");
     if (stream_ != nullptr) {

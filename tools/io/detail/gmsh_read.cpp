@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/shapes.h"
 #include "tools/io/detail/text_reader.h"
 
@@ -95,10 +96,10 @@ class GmshReader {
  private:
   void section(std::string_view name) {
     if (!name.starts_with('$')) {
-      text_.fail("'" + printable(name) +
-                 "' stands where a section ($Nodes, ...) was expected: correct the file");
+      text_.fail(concat("'", printable(name),
+                        "' stands where a section ($Nodes, ...) was expected: correct the file"));
     }
-    const std::string end = "$End" + std::string(name.substr(1));
+    const std::string end = concat("$End", name.substr(1));
     if (name == "$MeshFormat") {
       format();
     } else if (name == "$Nodes") {
@@ -113,8 +114,8 @@ class GmshReader {
     }
     const std::string_view found = text_.word(end.c_str());
     if (found != end) {
-      text_.fail("'" + printable(found) + "' stands where " + end +
-                 " was expected: correct the counts of the section");
+      text_.fail(concat("'", printable(found), "' stands where ", end,
+                        " was expected: correct the counts of the section"));
     }
   }
 
@@ -129,7 +130,8 @@ class GmshReader {
   void format() {
     const std::string_view version = text_.word("the version");
     if (version != "4.1" && version != "2.2") {
-      text_.fail("version " + printable(version) + " of the format cannot be read: save it as 4.1 or 2.2");
+      text_.fail(
+          concat("version ", printable(version), " of the format cannot be read: save it as 4.1 or 2.2"));
     }
     version_ = version == "4.1" ? 4 : 2;
     if (text_.integer("the kind of file") != 0) text_.fail("binary .msh cannot be read: save it as text");
@@ -212,8 +214,7 @@ class GmshReader {
         const std::int64_t tag = text_.integer("an element tag");
         const std::int64_t type = text_.integer("an element type");
         const std::int64_t tags = text_.integer("the number of tags");
-        if (tags < 0 || tags > kMaxTags)
-          text_.fail("an element has " + std::to_string(tags) + " tags: correct it");
+        if (tags < 0 || tags > kMaxTags) text_.fail(concat("an element has ", tags, " tags: correct it"));
         const std::int64_t physical = tags == 0 ? 0 : text_.integer("a tag");
         skip_integers(tags == 0 ? 0 : static_cast<std::size_t>(tags - 1));
         element(tag, type, physical);
@@ -240,8 +241,8 @@ class GmshReader {
 
   void check_total(const char* things, std::size_t seen, std::size_t announced) const {
     if (seen == announced) return;
-    text_.fail("the blocks hold " + std::to_string(seen) + " " + things + ", but " + std::to_string(announced) +
-               " are announced: correct the counts");
+    text_.fail(concat("the blocks hold ", seen, " ", things, ", but ", announced,
+                      " are announced: correct the counts"));
   }
 
   void element(std::int64_t tag, std::int64_t type, std::int64_t physical) {
@@ -252,9 +253,8 @@ class GmshReader {
     } else if (type == kLine || type == kPoint) {
       text_.drop_line();
     } else {
-      text_.fail("element " + std::to_string(tag) + " has Gmsh type " + std::to_string(type) + ": only type " +
-                 std::to_string(Shapes<Dim>::kGmshSimplex) + " (" + Shapes<Dim>::kSimplex +
-                 ") can be read; convert the mesh");
+      text_.fail(concat("element ", tag, " has Gmsh type ", type, ": only type ", Shapes<Dim>::kGmshSimplex,
+                        " (", Shapes<Dim>::kSimplex, ") can be read; convert the mesh"));
     }
   }
   template <class Cell>
@@ -263,7 +263,7 @@ class GmshReader {
     for (std::uint32_t& v : cell) {
       const std::int64_t node = text_.integer("a node tag");
       const std::int64_t* const index = index_of_node_.find(node);
-      if (index == nullptr) text_.fail("node " + std::to_string(node) + " does not exist: correct the tag");
+      if (index == nullptr) text_.fail(concat("node ", node, " does not exist: correct the tag"));
       v = static_cast<std::uint32_t>(*index);
     }
     out.tags.push_back(tag);

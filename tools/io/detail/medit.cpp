@@ -5,6 +5,7 @@
 #include <array>
 
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/shapes.h"
 #include "tools/io/detail/text_reader.h"
 #include "tools/io/detail/text_writer.h"
@@ -42,8 +43,8 @@ class MeditReader {
     if (text_.at_end()) text_.fail("the file is empty: a MEDIT file starts with MeshVersionFormatted");
     const std::string_view first = text_.word("MeshVersionFormatted");
     if (first != "MeshVersionFormatted") {
-      text_.fail("not a MEDIT file in text: it starts with '" + printable(first) +
-                 "' instead of MeshVersionFormatted; name the right --format");
+      text_.fail(concat("not a MEDIT file in text: it starts with '", printable(first),
+                        "' instead of MeshVersionFormatted; name the right --format"));
     }
     text_.integer("the version");
     while (!text_.at_end()) {
@@ -63,8 +64,7 @@ class MeditReader {
     if (keyword == "Dimension") {
       const std::int64_t dim = text_.integer("the dimension");
       if (dim != Dim) {
-        text_.fail("the mesh has dimension " + std::to_string(dim) + ": " + std::to_string(Dim) +
-                   " is needed here");
+        text_.fail(concat("the mesh has dimension ", dim, ": ", Dim, " is needed here"));
       }
       has_dimension_ = true;
     } else if (keyword == "Vertices") {
@@ -106,8 +106,8 @@ class MeditReader {
     const auto* const found = std::find_if(std::begin(kSkipped), std::end(kSkipped),
                                            [&](const SkippedSection& s) { return s.keyword == keyword; });
     if (found == std::end(kSkipped)) {
-      text_.fail("'" + printable(keyword) + "' is not a MEDIT section that can be read: only " +
-                 Shapes<Dim>::kMeditSimplices + " and " + Shapes<Dim>::kMeditFacets + " can");
+      text_.fail(concat("'", printable(keyword), "' is not a MEDIT section that can be read: only ",
+                        Shapes<Dim>::kMeditSimplices, " and ", Shapes<Dim>::kMeditFacets, " can"));
     }
     const std::size_t rows = text_.count("the number of rows", 2);
     const int numbers = found->numbers + found->reals * Dim;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/text_reader.h"
 #include "tools/io/detail/text_writer.h"
 
@@ -17,7 +18,7 @@ constexpr std::string_view kPassedOver[] = {"vt",       "vn",       "vp",     "g
 
 void read_point(TextReader& text, std::size_t id, Point3& p) {
   for (double& x : p) {
-    if (text.at_line_end()) text.fail("vertex " + std::to_string(id + 1) + " has fewer than 3 coordinates");
+    if (text.at_line_end()) text.fail(concat("vertex ", id + 1, " has fewer than 3 coordinates"));
     x = text.number("a coordinate");
   }
   text.drop_line();  // a weight or a color
@@ -31,13 +32,13 @@ std::uint32_t read_corner(TextReader& text, std::size_t points_so_far) {
   std::int64_t index = 0;
   const auto [last, error] = std::from_chars(word.data(), end, index);
   if (error != std::errc() || (last != end && *last != '/') || index == 0) {
-    text.fail("'" + printable(word) + "' is not a vertex of a facet: 1, 1/2, 1//3 or 1/2/3 was expected");
+    text.fail(concat("'", printable(word), "' is not a vertex of a facet: 1, 1/2, 1//3 or 1/2/3 was expected"));
   }
   if (index < 0) index += static_cast<std::int64_t>(points_so_far) + 1;
   constexpr std::int64_t kMaxIndex = 0xfffffffe;
   if (index < 1 || index > kMaxIndex) {
-    text.fail("vertex " + printable(word) + " does not exist: the file has " + std::to_string(points_so_far) +
-              " vertices up to here; correct the index");
+    text.fail(concat("vertex ", printable(word), " does not exist: the file has ", points_so_far,
+                     " vertices up to here; correct the index"));
   }
   return static_cast<std::uint32_t>(index - 1);
 }
@@ -45,12 +46,12 @@ std::uint32_t read_corner(TextReader& text, std::size_t points_so_far) {
 Surface3::Facet read_facet(TextReader& text, std::size_t id, std::size_t points_so_far) {
   Surface3::Facet facet{};
   for (std::uint32_t& corner : facet) {
-    if (text.at_line_end()) text.fail("facet " + std::to_string(id + 1) + " has fewer than 3 vertices");
+    if (text.at_line_end()) text.fail(concat("facet ", id + 1, " has fewer than 3 vertices"));
     corner = read_corner(text, points_so_far);
   }
   if (!text.at_line_end()) {
-    text.fail("facet " + std::to_string(id + 1) +
-              " has more than 3 corners: only triangles can be read; triangulate the surface first");
+    text.fail(concat("facet ", id + 1,
+                     " has more than 3 corners: only triangles can be read; triangulate the surface first"));
   }
   return facet;
 }
@@ -73,15 +74,16 @@ Surface3 decode_obj(const Source& source) {
     } else if (std::find(std::begin(kPassedOver), std::end(kPassedOver), keyword) != std::end(kPassedOver)) {
       text.drop_line();
     } else {
-      text.fail("'" + printable(keyword) + "' is not an OBJ keyword that can be read: is this an OBJ file?");
+      text.fail(
+          concat("'", printable(keyword), "' is not an OBJ keyword that can be read: is this an OBJ file?"));
     }
   }
   for (std::size_t i = 0; i < surface.facets.size(); ++i) {
     for (const std::uint32_t v : surface.facets[i]) {
       if (v >= surface.points.size()) {
         throw FileError(source.file, lines.facets[i],
-                        "vertex " + std::to_string(std::size_t{v} + 1) + " does not exist: the file has " +
-                            std::to_string(surface.points.size()) + " vertices; correct the index");
+                        concat("vertex ", std::size_t{v} + 1, " does not exist: the file has ",
+                               surface.points.size(), " vertices; correct the index"));
       }
     }
   }

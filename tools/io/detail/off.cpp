@@ -3,6 +3,7 @@
 // OFF: a header, the counts, one vertex a line, one facet a line. Reading by lines, not by words, catches wrong
 // counts where they first show.
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/text_reader.h"
 #include "tools/io/detail/text_writer.h"
 
@@ -21,12 +22,12 @@ Header read_header(TextReader& text) {
   if (text.at_end()) text.fail("the file is empty: an OFF file starts with the line OFF");
   const std::string_view keyword = text.word("OFF");
   if (!keyword.ends_with("OFF") || keyword.size() > 8) {
-    text.fail("not an OFF file: it starts with '" + printable(keyword) +
-              "' instead of OFF; name the right --format");
+    text.fail(concat("not an OFF file: it starts with '", printable(keyword),
+                     "' instead of OFF; name the right --format"));
   }
   if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos) {
-    text.fail("'" + printable(keyword) +
-              "' is OFF in another dimension: only points in space (OFF) can be read");
+    text.fail(concat("'", printable(keyword),
+                     "' is OFF in another dimension: only points in space (OFF) can be read"));
   }
   if (text.peek() == "BINARY") text.fail("binary OFF cannot be read: save it as text");
   Header header;
@@ -43,18 +44,18 @@ Header read_header(TextReader& text) {
 }
 
 std::string see_counts(const Header& header) {
-  return "; are the counts on line " + std::to_string(header.line) + " right?";
+  return concat("; are the counts on line ", header.line, " right?");
 }
 
 std::string ends_early(const char* things, std::size_t have, std::size_t announced, const Header& header) {
-  return "the file ends after " + std::to_string(have) + " of " + std::to_string(announced) + " " + things +
-         ": it is truncated, or the counts on line " + std::to_string(header.line) + " are wrong";
+  return concat("the file ends after ", have, " of ", announced, " ", things,
+                ": it is truncated, or the counts on line ", header.line, " are wrong");
 }
 
 void read_point(TextReader& text, const Header& header, std::size_t id, Point3& p) {
   for (double& x : p) {
     if (text.at_line_end()) {
-      text.fail("vertex " + std::to_string(id) + " has fewer than 3 coordinates" + see_counts(header));
+      text.fail(concat("vertex ", id, " has fewer than 3 coordinates", see_counts(header)));
     }
     x = text.number("a coordinate");
   }
@@ -66,20 +67,19 @@ void read_point(TextReader& text, const Header& header, std::size_t id, Point3& 
   int more = 0;
   for (; !text.at_line_end(); ++more) text.word("a color");
   if (more < 3) {
-    text.fail("vertex " + std::to_string(id) + " has " + std::to_string(3 + more) + " numbers instead of 3" +
-              see_counts(header));
+    text.fail(concat("vertex ", id, " has ", 3 + more, " numbers instead of 3", see_counts(header)));
   }
 }
 
 void read_facet(TextReader& text, const Header& header, std::size_t id, Surface3::Facet& facet) {
   const std::int64_t corners = text.integer("the number of corners of a facet");
   if (corners != 3) {
-    text.fail("facet " + std::to_string(id) + " has " + std::to_string(corners) +
-              " corners: only triangles can be read; triangulate the surface first");
+    text.fail(concat("facet ", id, " has ", corners,
+                     " corners: only triangles can be read; triangulate the surface first"));
   }
   for (std::uint32_t& corner : facet) {
     if (text.at_line_end()) {
-      text.fail("facet " + std::to_string(id) + " has fewer than 3 vertices" + see_counts(header));
+      text.fail(concat("facet ", id, " has fewer than 3 vertices", see_counts(header)));
     }
     corner = text.index(header.points, 0, "vertex");
   }
@@ -109,8 +109,7 @@ Surface3 decode_off(const Source& source) {
     read_facet(text, header, i, surface.facets[i]);
   }
   if (!text.at_end()) {
-    text.fail("the file goes on after the last of " + std::to_string(header.facets) + " facets" +
-              see_counts(header));
+    text.fail(concat("the file goes on after the last of ", header.facets, " facets", see_counts(header)));
   }
   return surface;
 }

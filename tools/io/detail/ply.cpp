@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/scalars.h"
 #include "tools/io/detail/text_reader.h"
 #include "tools/io/detail/text_writer.h"
@@ -64,8 +65,8 @@ class HeaderReader {
     if (text_.at_end()) text_.fail("the file is empty: a PLY file starts with the line ply");
     const std::string_view first = text_.word("ply");
     if (first != "ply") {
-      text_.fail("not a PLY file: it starts with '" + printable(first) +
-                 "' instead of ply; name the right --format");
+      text_.fail(concat("not a PLY file: it starts with '", printable(first),
+                        "' instead of ply; name the right --format"));
     }
     text_.drop_line();
     while (true) {
@@ -90,12 +91,12 @@ class HeaderReader {
     } else if (keyword == "property") {
       property();
     } else {
-      text_.fail("'" + printable(keyword) + "' is not a line of a PLY header: correct the file");
+      text_.fail(concat("'", printable(keyword), "' is not a line of a PLY header: correct the file"));
     }
   }
 
   std::string_view word(const char* what) {
-    if (text_.at_line_end()) text_.fail(std::string("the line ends where ") + what + " was expected");
+    if (text_.at_line_end()) text_.fail(concat("the line ends where ", what, " was expected"));
     return text_.word(what);
   }
 
@@ -109,8 +110,8 @@ class HeaderReader {
     } else if (name == "binary_big_endian") {
       header_.encoding = Encoding::big;
     } else {
-      text_.fail("'" + printable(name) +
-                 "' is not a PLY format: ascii, binary_little_endian or binary_big_endian");
+      text_.fail(concat("'", printable(name),
+                        "' is not a PLY format: ascii, binary_little_endian or binary_big_endian"));
     }
   }
 
@@ -140,7 +141,8 @@ class HeaderReader {
 
   Scalar type(std::string_view name) {
     const auto result = scalar_of(name);
-    if (!result) text_.fail("'" + printable(name) + "' is not a type of numbers in PLY: correct the header");
+    if (!result)
+      text_.fail(concat("'", printable(name), "' is not a type of numbers in PLY: correct the header"));
     return *result;
   }
 
@@ -240,7 +242,7 @@ class BodyReader {
     for (int k = 0; k < 3; ++k) {
       const std::size_t i = element.find(kNames[k]);
       if (i == coordinate.size() || element.properties[i].length) {
-        body_.fail("the vertices have no property " + std::string(kNames[k]) + ": x, y and z are needed");
+        body_.fail(concat("the vertices have no property ", kNames[k], ": x, y and z are needed"));
       }
       coordinate[i] = k;
     }
@@ -281,8 +283,8 @@ class BodyReader {
   Surface3::Facet facet(const Property& property, std::size_t id) {
     const std::uint64_t corners = list_length(property);
     if (corners != 3) {
-      body_.fail("facet " + std::to_string(id) + " has " + std::to_string(corners) +
-                 " corners: only triangles can be read; triangulate the surface first");
+      body_.fail(concat("facet ", id, " has ", corners,
+                        " corners: only triangles can be read; triangulate the surface first"));
     }
     Surface3::Facet result{};
     for (std::uint32_t& corner : result) {
@@ -302,9 +304,8 @@ class BodyReader {
     }
   }
   [[noreturn]] void fail_index(std::size_t facet, std::int64_t index) {
-    body_.fail("facet " + std::to_string(facet) + " uses vertex " + std::to_string(index) +
-               ", which does not exist: the file has " + std::to_string(surface_.points.size()) +
-               " vertices, counted from 0; correct the index");
+    body_.fail(concat("facet ", facet, " uses vertex ", index, ", which does not exist: the file has ",
+                      surface_.points.size(), " vertices, counted from 0; correct the index"));
   }
 
   void note_line(std::vector<std::size_t> SourceLines::*which) {
@@ -328,9 +329,8 @@ Surface3 decode_ply(const Source& source) {
     if (element.properties.empty()) continue;
     if (element.count > (text.remaining() + 1) / element.properties.size()) {
       throw FileError(source.file, element.line,
-                      "the number of elements is " + std::to_string(element.count) + ", more than the " +
-                          std::to_string(text.remaining()) +
-                          " bytes after the header can hold: the count is wrong, or the file is truncated");
+                      concat("the number of elements is ", element.count, ", more than the ", text.remaining(),
+                             " bytes after the header can hold: the count is wrong, or the file is truncated"));
     }
   }
   if (header.encoding == Encoding::text) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "tools/io/detail/concat.h"
 #include "tools/io/file_error.h"
 
 namespace sinkmesh::io_detail {
@@ -109,8 +110,8 @@ class ByteReader {
     throw FileError::at_byte(file_, offset_ + at_, message);
   }
   [[noreturn]] void fail_at_end(const char* what) const {
-    fail(std::string("the data end inside ") + what +
-         ": the file is truncated, or a count in it is too large; get the complete file");
+    fail(concat("the data end inside ", what,
+                ": the file is truncated, or a count in it is too large; get the complete file"));
   }
 
  private:

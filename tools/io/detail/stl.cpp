@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/point_merger.h"
 #include "tools/io/detail/scalars.h"
 #include "tools/io/detail/text_reader.h"
@@ -34,9 +35,8 @@ Surface3 decode_binary(const Source& source) {
   in.take(kHeaderBytes, "the header");
   const std::uint64_t facets = in.get<std::uint32_t>("the number of facets");
   if (in.remaining() != facets * kFacetBytes) {
-    in.fail("the file announces " + std::to_string(facets) + " facets, that is " +
-            std::to_string(facets * kFacetBytes) + " bytes, but " + std::to_string(in.remaining()) +
-            " follow: it is truncated, or not an STL file");
+    in.fail(concat("the file announces ", facets, " facets, that is ", facets * kFacetBytes, " bytes, but ",
+                   in.remaining(), " follow: it is truncated, or not an STL file"));
   }
   Surface3 surface;
   PointMerger merger(3 * facets);
@@ -75,8 +75,7 @@ class StlTextReader {
   void expect(std::string_view keyword) { check(text_.word("more of a solid"), keyword); }
   void check(std::string_view word, std::string_view keyword) {
     if (word != keyword) {
-      text_.fail("'" + printable(word) + "' stands where '" + std::string(keyword) +
-                 "' was expected: correct the file");
+      text_.fail(concat("'", printable(word), "' stands where '", keyword, "' was expected: correct the file"));
     }
   }
 
@@ -110,8 +109,8 @@ class StlTextReader {
     }
     const std::string_view word = text_.word("endloop");
     if (word == "vertex") {
-      text_.fail("facet " + std::to_string(surface_.facets.size()) +
-                 " has more than 3 corners: only triangles can be read; triangulate the surface first");
+      text_.fail(concat("facet ", surface_.facets.size(),
+                        " has more than 3 corners: only triangles can be read; triangulate the surface first"));
     }
     check(word, "endloop");
     expect("endfacet");

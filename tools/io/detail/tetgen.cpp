@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/shapes.h"
 #include "tools/io/detail/text_reader.h"
 #include "tools/io/detail/text_writer.h"
@@ -16,10 +17,10 @@ constexpr std::int64_t kMaxColumns = 1000;
 
 // A small number on the line of counts: of dimensions, corners, attributes, markers.
 std::int64_t read_small(TextReader& text, const char* what) {
-  if (text.at_line_end()) text.fail(std::string("the line ends where ") + what + " was expected");
+  if (text.at_line_end()) text.fail(concat("the line ends where ", what, " was expected"));
   const std::int64_t value = text.integer(what);
   if (value < 0 || value > kMaxColumns) {
-    text.fail(std::string(what) + " is " + std::to_string(value) + ": correct the first line");
+    text.fail(concat(what, " is ", value, ": correct the first line"));
   }
   return value;
 }
@@ -28,9 +29,8 @@ std::int64_t read_small(TextReader& text, const char* what) {
 void read_row_number(TextReader& text, std::int64_t first, std::size_t i) {
   const std::int64_t number = text.integer("the number of a row");
   if (number != first + static_cast<std::int64_t>(i)) {
-    text.fail("row number " + std::to_string(number) + " stands where " +
-              std::to_string(first + static_cast<std::int64_t>(i)) +
-              " was expected: number the rows one by one");
+    text.fail(concat("row number ", number, " stands where ", first + static_cast<std::int64_t>(i),
+                     " was expected: number the rows one by one"));
   }
 }
 
@@ -53,8 +53,7 @@ NodeCounts read_node_counts(TextReader& text) {
   counts.points = text.count("the number of points", 2 * Dim + 2);
   const std::int64_t dim = read_small(text, "the dimension");
   if (dim != Dim) {
-    text.fail("the points have dimension " + std::to_string(dim) + ": " + std::to_string(Dim) +
-              " is needed here");
+    text.fail(concat("the points have dimension ", dim, ": ", Dim, " is needed here"));
   }
   // Triangle's files may leave the last two out.
   if (!text.at_line_end()) counts.columns = read_small(text, "the number of attributes");
@@ -104,8 +103,8 @@ void decode_ele(const Source& source, std::int64_t first, Mesh<Dim>& mesh) {
   const std::size_t rows = text.count("the number of simplices", 2 * Dim + 4);
   const std::int64_t corners = read_small(text, "the number of corners");
   if (corners != Dim + 1) {
-    text.fail("the simplices have " + std::to_string(corners) + " nodes: only linear ones, with " +
-              std::to_string(Dim + 1) + ", can be read");
+    text.fail(
+        concat("the simplices have ", corners, " nodes: only linear ones, with ", Dim + 1, ", can be read"));
   }
   const auto columns =
       text.at_line_end() ? 0 : static_cast<std::size_t>(read_small(text, "the number of attributes"));
@@ -124,7 +123,7 @@ void decode_ele(const Source& source, std::int64_t first, Mesh<Dim>& mesh) {
   }
   check_end(text);
   for (std::size_t k = 0; k < columns; ++k) {
-    if (whole[k]) mesh.simplex_fields.push_back({"attribute" + std::to_string(k + 1), std::move(values[k])});
+    if (whole[k]) mesh.simplex_fields.push_back({concat("attribute", k + 1), std::move(values[k])});
   }
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "tools/io/detail/concat.h"
+
 namespace sinkmesh::io_detail {
 namespace {
 
@@ -65,8 +67,8 @@ void TextReader::need(const char* what) {
 }
 
 void TextReader::fail_at_end(const char* what) const {
-  fail(std::string("the file ends where ") + what +
-       " was expected: it is truncated, or a count in it is too large; get the complete file");
+  fail(concat("the file ends where ", what,
+              " was expected: it is truncated, or a count in it is too large; get the complete file"));
 }
 
 std::string_view TextReader::peek() {
@@ -84,7 +86,7 @@ std::string_view TextReader::word(const char* what) {
 }
 
 void TextReader::fail_number(const char* what, const char* kind) {
-  fail("'" + printable(peek()) + "' is not " + kind + ": " + what + " was expected here; correct the file");
+  fail(concat("'", printable(peek()), "' is not ", kind, ": ", what, " was expected here; correct the file"));
 }
 
 double TextReader::number(const char* what) {
@@ -99,10 +101,10 @@ double TextReader::number(const char* what) {
     // from_chars does not tell overflow from underflow; strtod does.
     value = std::strtod(std::string(start, last).c_str(), nullptr);
     if (std::isinf(value)) {
-      fail("'" + printable(peek()) + "' is too large for a double: rescale the coordinates");
+      fail(concat("'", printable(peek()), "' is too large for a double: rescale the coordinates"));
     }
   } else if (!std::isfinite(value)) {
-    fail("'" + printable(peek()) + "' is not finite where " + what + " was expected: repair or remove it");
+    fail(concat("'", printable(peek()), "' is not finite where ", what, " was expected: repair or remove it"));
   }
   at_ = last;
   return value;
@@ -122,12 +124,12 @@ std::int64_t TextReader::integer(const char* what) {
 
 std::size_t TextReader::count(const char* what, std::size_t bytes_each) {
   const std::int64_t value = integer(what);
-  if (value < 0) fail(std::string(what) + " is " + std::to_string(value) + ": it cannot be negative");
+  if (value < 0) fail(concat(what, " is ", value, ": it cannot be negative"));
   const auto result = static_cast<std::size_t>(value);
   // The last thing may lack its line end.
   if (result > kMaxCount || result > (remaining() + 1) / bytes_each) {
-    fail(std::string(what) + " is " + std::to_string(value) + ", more than the " + std::to_string(remaining()) +
-         " bytes that follow can hold: the count is wrong, or the file is truncated");
+    fail(concat(what, " is ", value, ", more than the ", remaining(),
+                " bytes that follow can hold: the count is wrong, or the file is truncated"));
   }
   return result;
 }
@@ -135,10 +137,10 @@ std::size_t TextReader::count(const char* what, std::size_t bytes_each) {
 std::uint32_t TextReader::index(std::size_t size, std::int64_t base, const char* what) {
   const std::int64_t value = integer("an index");
   if (value < base || static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(base) >= size) {
-    const std::string name = std::string(what) + " " + std::to_string(value) + " does not exist: ";
-    if (size == 0) fail(name + "the file has none");
-    fail(name + "the indices run from " + std::to_string(base) + " to " +
-         std::to_string(base + static_cast<std::int64_t>(size) - 1) + "; correct the index");
+    const std::string name = concat(what, " ", value, " does not exist: ");
+    if (size == 0) fail(concat(name, "the file has none"));
+    fail(concat(name, "the indices run from ", base, " to ", base + static_cast<std::int64_t>(size) - 1,
+                "; correct the index"));
   }
   return static_cast<std::uint32_t>(value - base);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "refine/mesh.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/shapes.h"
 
 namespace sinkmesh::io_detail {
@@ -34,13 +35,12 @@ void collect_vtk_cells(const VtkCells& cells, const std::vector<VtkField>& field
   constexpr std::int64_t kLine = 3;
   const std::size_t count = cells.types.size();
   if (cells.offsets.size() != count + 1 || cells.offsets.front() != 0) {
-    fail("the cells have " + std::to_string(count) + " types and " + std::to_string(cells.offsets.size()) +
-         " offsets, which do not fit together: the file is damaged");
+    fail(concat("the cells have ", count, " types and ", cells.offsets.size(),
+                " offsets, which do not fit together: the file is damaged"));
   }
   for (const auto& [name, values] : fields) {
     if (values.size() != count) {
-      fail("a field has " + std::to_string(values.size()) + " values for " + std::to_string(count) +
-           " cells: the file is damaged");
+      fail(concat("a field has ", values.size(), " values for ", count, " cells: the file is damaged"));
     }
     mesh.simplex_fields.push_back({name, {}});
   }
@@ -48,20 +48,19 @@ void collect_vtk_cells(const VtkCells& cells, const std::vector<VtkField>& field
     const std::int64_t first = cells.offsets[i];
     const std::int64_t last = cells.offsets[i + 1];
     if (last < first || static_cast<std::uint64_t>(last) > cells.connectivity.size()) {
-      fail("cell " + std::to_string(i) + " has offsets " + std::to_string(first) + " to " +
-           std::to_string(last) + " in a connectivity of " + std::to_string(cells.connectivity.size()) +
-           ": the file is damaged");
+      fail(concat("cell ", i, " has offsets ", first, " to ", last, " in a connectivity of ",
+                  cells.connectivity.size(), ": the file is damaged"));
     }
     const auto take = [&](auto& cell) {
       if (last - first != static_cast<std::int64_t>(cell.size())) {
-        fail("cell " + std::to_string(i) + " has " + std::to_string(last - first) + " corners instead of " +
-             std::to_string(cell.size()) + ": the file is damaged");
+        fail(concat("cell ", i, " has ", last - first, " corners instead of ", cell.size(),
+                    ": the file is damaged"));
       }
       for (std::size_t k = 0; k < cell.size(); ++k) {
         const std::int64_t v = cells.connectivity[static_cast<std::size_t>(first) + k];
         if (v < 0 || static_cast<std::uint64_t>(v) >= mesh.points.size()) {
-          fail("cell " + std::to_string(i) + " uses point " + std::to_string(v) +
-               ", which does not exist: there are " + std::to_string(mesh.points.size()) + ", counted from 0");
+          fail(concat("cell ", i, " uses point ", v, ", which does not exist: there are ", mesh.points.size(),
+                      ", counted from 0"));
         }
         cell[k] = static_cast<std::uint32_t>(v);
       }
@@ -75,9 +74,8 @@ void collect_vtk_cells(const VtkCells& cells, const std::vector<VtkField>& field
     } else if (type == Shapes<Dim>::kVtkFacet) {
       take(mesh.boundary.emplace_back());
     } else if (type != kVertex && type != kLine) {
-      fail("cell " + std::to_string(i) + " has VTK type " + std::to_string(type) + ": only type " +
-           std::to_string(Shapes<Dim>::kVtkSimplex) + " (" + Shapes<Dim>::kSimplex +
-           ") can be read; convert the mesh");
+      fail(concat("cell ", i, " has VTK type ", type, ": only type ", Shapes<Dim>::kVtkSimplex, " (",
+                  Shapes<Dim>::kSimplex, ") can be read; convert the mesh"));
     }
   }
 }
@@ -91,11 +89,11 @@ std::vector<Point<Dim>> collect_points(const std::vector<double>& coordinates, F
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double x = coordinates[3 * i + k];
-      if (!(x - x == 0)) fail("point " + std::to_string(i) + " is not finite: repair or remove it");
+      if (!(x - x == 0)) fail(concat("point ", i, " is not finite: repair or remove it"));
       if (k < Dim) {
         points[i][k] = x;
       } else if (x != 0) {
-        fail("point " + std::to_string(i) + " is not in the plane z = 0: a plane mesh is needed here");
+        fail(concat("point ", i, " is not in the plane z = 0: a plane mesh is needed here"));
       }
     }
   }

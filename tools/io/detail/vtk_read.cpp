@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/scalars.h"
 #include "tools/io/detail/text_reader.h"
 #include "tools/io/detail/vtk_cells.h"
@@ -81,24 +82,24 @@ class VtkReader {
     text_.drop_line();  // the title
     const std::string_view encoding = text_.word("ASCII or BINARY");
     if (encoding != "ASCII" && encoding != "BINARY") {
-      fail("'" + printable(encoding) + "' stands where ASCII or BINARY was expected: correct the file");
+      fail(concat("'", printable(encoding), "' stands where ASCII or BINARY was expected: correct the file"));
     }
     text_.drop_line();
     is_binary_ = encoding == "BINARY";
   }
 
   std::string_view word(const char* what) {
-    if (text_.at_line_end()) fail(std::string("the line ends where ") + what + " was expected");
+    if (text_.at_line_end()) fail(concat("the line ends where ", what, " was expected"));
     return text_.word(what);
   }
   std::size_t count(const char* what) {
-    if (text_.at_line_end()) fail(std::string("the line ends where ") + what + " was expected");
+    if (text_.at_line_end()) fail(concat("the line ends where ", what, " was expected"));
     return text_.count(what, 1);
   }
   Scalar type() {
     const std::string_view name = word("a type");
     const auto result = scalar_of(name);
-    if (!result) fail("'" + printable(name) + "' is not a type of numbers that can be read here");
+    if (!result) fail(concat("'", printable(name), "' is not a type of numbers that can be read here"));
     return *result;
   }
   /// Whether the line at hand starts with the word. Looks at the bytes, since they may be binary data.
@@ -111,8 +112,8 @@ class VtkReader {
     // In text the last value may lack its line end.
     const std::size_t room = text_.remaining() + (is_binary_ ? 0 : 1);
     if (count > room / bytes_each) {
-      fail(std::to_string(count) + " values are announced, more than the " + std::to_string(text_.remaining()) +
-           " bytes that follow can hold: the file is truncated, or the count is wrong");
+      fail(concat(count, " values are announced, more than the ", text_.remaining(),
+                  " bytes that follow can hold: the file is truncated, or the count is wrong"));
     }
   }
   template <class Number>
@@ -160,7 +161,7 @@ class VtkReader {
     if (keyword == "DATASET") {
       const std::string_view kind = word("UNSTRUCTURED_GRID");
       if (kind != "UNSTRUCTURED_GRID")
-        fail("the file holds a " + printable(kind) + ": an UNSTRUCTURED_GRID is needed");
+        fail(concat("the file holds a ", printable(kind), ": an UNSTRUCTURED_GRID is needed"));
       text_.drop_line();
     } else if (keyword == "POINTS") {
       const std::size_t points = count("the number of points");
@@ -205,8 +206,8 @@ class VtkReader {
     for (std::size_t at = 0; at < list.size();) {
       const std::int64_t corners = list[at++];
       if (corners < 0 || static_cast<std::uint64_t>(corners) > list.size() - at) {
-        fail("cell " + std::to_string(cells_.offsets.size() - 1) + " has " + std::to_string(corners) +
-             " corners, more than the list of cells holds: the file is damaged");
+        fail(concat("cell ", cells_.offsets.size() - 1, " has ", corners,
+                    " corners, more than the list of cells holds: the file is damaged"));
       }
       const auto start = list.begin() + static_cast<std::ptrdiff_t>(at);
       cells_.connectivity.insert(cells_.connectivity.end(), start, start + corners);
@@ -214,14 +215,13 @@ class VtkReader {
       at += static_cast<std::size_t>(corners);
     }
     if (cells_.offsets.size() != first + 1) {
-      fail("the list of cells holds " + std::to_string(cells_.offsets.size() - 1) + " instead of " +
-           std::to_string(first) + ": correct the counts of CELLS");
+      fail(concat("the list of cells holds ", cells_.offsets.size() - 1, " instead of ", first,
+                  ": correct the counts of CELLS"));
     }
   }
   std::vector<std::int64_t> listed_integers(std::string_view keyword, std::size_t size) {
     const std::string_view found = text_.word("OFFSETS or CONNECTIVITY");
-    if (found != keyword)
-      fail("'" + printable(found) + "' stands where " + std::string(keyword) + " was expected");
+    if (found != keyword) fail(concat("'", printable(found), "' stands where ", keyword, " was expected"));
     const Scalar integer = type();
     text_.drop_line();
     return integers(integer, size);
@@ -252,9 +252,9 @@ class VtkReader {
       text_.drop_line();
       for (std::size_t i = 0; i < arrays; ++i) field_array();
     } else {
-      fail("'" + printable(keyword) +
-           "' is not a section that can be read here: the file is damaged, or its counts "
-           "are wrong");
+      fail(concat("'", printable(keyword),
+                  "' is not a section that can be read here: the file is damaged, or its counts "
+                  "are wrong"));
     }
   }
   void field_array() {

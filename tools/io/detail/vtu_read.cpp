@@ -7,6 +7,7 @@
 
 #include "tools/io/detail/base64.h"
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/scalars.h"
 #include "tools/io/detail/text_reader.h"
 #include "tools/io/detail/vtk_cells.h"
@@ -56,7 +57,8 @@ class VtuFile {
 
   Scalar type_of(const XmlTag& array) const {
     const auto type = scalar_of(array.attribute("type"));
-    if (!type) fail(array, "'" + printable(array.attribute("type")) + "' is not a type of numbers in VTK");
+    if (!type)
+      fail(array, concat("'", printable(array.attribute("type")), "' is not a type of numbers in VTK"));
     return *type;
   }
 
@@ -64,8 +66,7 @@ class VtuFile {
     const auto found = std::find_if(arrays.begin(), arrays.end(),
                                     [&](const XmlTag& a) { return a.attribute("Name") == name; });
     if (found == arrays.end()) {
-      throw FileError(source_.file,
-                      "there is no array '" + std::string(name) + "': the file is truncated or damaged");
+      throw FileError(source_.file, concat("there is no array '", name, "': the file is truncated or damaged"));
     }
     return *found;
   }
@@ -114,7 +115,8 @@ class VtuFile {
 
   void read_head(const XmlTag& tag) {
     if (tag.attribute("type") != "UnstructuredGrid") {
-      fail(tag, "the file holds a '" + printable(tag.attribute("type")) + "': an UnstructuredGrid is needed");
+      fail(tag,
+           concat("the file holds a '", printable(tag.attribute("type")), "': an UnstructuredGrid is needed"));
     }
     if (!tag.attribute("compressor").empty()) {
       fail(tag, "compressed .vtu files cannot be read: save it without compression");
@@ -158,7 +160,7 @@ class VtuFile {
       data = appended_.substr(offset);
       is_raw = appended_is_raw_;
     } else if (array.attribute("format") != "binary") {
-      fail(array, "'" + printable(array.attribute("format")) + "' is not a format of arrays in VTK");
+      fail(array, concat("'", printable(array.attribute("format")), "' is not a format of arrays in VTK"));
     }
     const std::size_t prefix = size_of(length_type_);
     if (is_raw) {

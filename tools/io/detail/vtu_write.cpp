@@ -3,6 +3,7 @@
 // VTK's XML format with the arrays appended raw: a readable head, then the bytes as they are in memory on the
 // usual machines.
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/scalars.h"
 #include "tools/io/detail/shapes.h"
 
@@ -56,8 +57,8 @@ class VtuWriter {
   /// Announces an array of `count` values of type T, which must be appended next.
   template <class T>
   void array(const char* type, const std::string& attributes, std::size_t count) {
-    head_ += std::string("<DataArray type=\"") + type + "\" " + attributes + " format=\"appended\" offset=\"" +
-             std::to_string(data_.size()) + "\"/>\n";
+    head_ += concat("<DataArray type=\"", type, "\" ", attributes, " format=\"appended\" offset=\"",
+                    data_.size(), "\"/>\n");
     append(static_cast<std::uint64_t>(count * sizeof(T)));
   }
   template <class T>
@@ -87,8 +88,8 @@ std::string encode_vtu(const Mesh<Dim>& mesh) {
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n"
-         "<UnstructuredGrid>\n<Piece NumberOfPoints=\""
-      << std::to_string(points) << "\" NumberOfCells=\"" << std::to_string(simplices) << "\">\n<Points>\n";
+         "<UnstructuredGrid>\n"
+      << concat("<Piece NumberOfPoints=\"", points, "\" NumberOfCells=\"", simplices, "\">\n<Points>\n");
   out.array<double>("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", 3 * points);
   for (const auto& p : mesh.points) {
     for (const double x : p) out.append(x);
@@ -105,7 +106,7 @@ std::string encode_vtu(const Mesh<Dim>& mesh) {
   for (std::size_t i = 0; i < simplices; ++i) out.append(static_cast<std::uint8_t>(Shapes<Dim>::kVtkSimplex));
   out << "</Cells>\n<CellData>\n";
   for (const auto& field : mesh.simplex_fields) {
-    out.array<std::int64_t>("Int64", "Name=\"" + escaped(field.name) + "\"", simplices);
+    out.array<std::int64_t>("Int64", concat("Name=\"", escaped(field.name), "\""), simplices);
     for (const std::int64_t value : field.values) out.append(value);
   }
   out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n";

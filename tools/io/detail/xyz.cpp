@@ -2,6 +2,7 @@
 //
 // Points, one a line, in columns.
 #include "tools/io/detail/codecs.h"
+#include "tools/io/detail/concat.h"
 #include "tools/io/detail/text_reader.h"
 
 namespace sinkmesh::io_detail {
@@ -42,7 +43,7 @@ std::vector<Point<Dim>> decode_xyz(const Source& source) {
     std::size_t column = 0;
     for (; !text.at_line_end(); ++column) {
       if (at_separator_or_end(text)) {
-        text.fail("column " + std::to_string(column + 1) + " is empty: every point needs its coordinates");
+        text.fail(concat("column ", column + 1, " is empty: every point needs its coordinates"));
       }
       if (column < Dim) {
         p[column] = text.number("a coordinate");
@@ -52,15 +53,14 @@ std::vector<Point<Dim>> decode_xyz(const Source& source) {
       pass_separator(text);
     }
     if (column < Dim) {
-      text.fail("this point has " + std::to_string(column) + " coordinates: " + std::to_string(Dim) +
-                " are needed");
+      text.fail(concat("this point has ", column, " coordinates: ", Dim, " are needed"));
     }
     if (columns == 0) {
       columns = column;
       first_line = text.line();
     } else if (column != columns) {
-      text.fail("this line has " + std::to_string(column) + " columns, but line " + std::to_string(first_line) +
-                " has " + std::to_string(columns) + ": correct the one that is wrong");
+      text.fail(concat("this line has ", column, " columns, but line ", first_line, " has ", columns,
+                       ": correct the one that is wrong"));
     }
   }
   return points;
