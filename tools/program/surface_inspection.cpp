@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 
 #include "refine/surface_check.h"
@@ -65,8 +66,15 @@ const char* name(SurfaceSeverity severity) {
   return "";
 }
 
+bool has(const std::vector<SurfaceDefect>& defects, std::initializer_list<SurfaceDefectKind> kinds) {
+  return std::any_of(defects.begin(), defects.end(), [&](const SurfaceDefect& defect) {
+    return std::find(kinds.begin(), kinds.end(), defect.kind) != kinds.end();
+  });
+}
+
 template <int Dim>
-void describe_counts(const Surface<Dim>& surface, Inspection& inspection) {
+void describe_counts(const Surface<Dim>& surface, const std::vector<SurfaceDefect>& defects,
+                     Inspection& inspection) {
   const SurfaceSummary counts = summarize_surface(surface);
   Summary& summary = inspection.summary;
   std::string text = fmt::format("{}, ", count(counts.vertices, "vertex", "vertices"));
@@ -79,7 +87,14 @@ void describe_counts(const Surface<Dim>& surface, Inspection& inspection) {
   if (counts.signed_volume != 0) {
     text += fmt::format(", {} {:.6g}", Dim == 2 ? "area" : "volume", std::abs(counts.signed_volume));
   }
-  summary.line("", (counts.is_manifold ? "closed, a manifold; " : "not closed, or no manifold; ") + text);
+  using Kind = SurfaceDefectKind;
+  const bool is_closed = !has(defects, {Kind::open_edge});
+  const bool is_manifold =
+      !has(defects, {Kind::nonmanifold_edge, Kind::nonmanifold_vertex, Kind::duplicate_facet});
+  const bool is_oriented = !has(defects, {Kind::inconsistent_orientation});
+  summary.line("", fmt::format("{}, {}, {}; {}", is_closed ? "closed" : "not closed",
+                               is_manifold ? "a manifold" : "no manifold",
+                               is_oriented ? "oriented" : "not oriented alike", text));
   const Box<Dim> box = box_of(surface);
   const double shortest = shortest_edge(surface);
   summary.line("box", fmt::format("{} to {}", coordinates<Dim>(box.low), coordinates<Dim>(box.high)));
@@ -92,7 +107,9 @@ void describe_counts(const Surface<Dim>& surface, Inspection& inspection) {
   report["facets"] = surface.facets.size();
   report["components"] = counts.components;
   report["euler_characteristic"] = counts.euler_characteristic;
-  report["manifold"] = counts.is_manifold;
+  report["closed"] = is_closed;
+  report["manifold"] = is_manifold;
+  report["oriented"] = is_oriented;
   report["genus"] = counts.is_manifold && Dim == 3 ? Json(counts.genus) : Json();
   report["signed_volume"] = counts.signed_volume;
   report["box"] = {{"low", box.low}, {"high", box.high}};
@@ -101,8 +118,8 @@ void describe_counts(const Surface<Dim>& surface, Inspection& inspection) {
 
 void describe_defects(const std::vector<SurfaceDefect>& defects, const SourceLines& lines,
                       Inspection& inspection) {
-  Json& list = inspection.report["defects"] = Json::array();
-  Json& notes = inspection.report["notes"] = Json::array();
+  Json list = Json::array();
+  Json notes = Json::array();
   std::size_t errors = 0;
   for (const SurfaceDefect& defect : defects) {
     const bool is_error = severity(defect.kind) == SurfaceSeverity::error;
@@ -115,6 +132,8 @@ void describe_defects(const std::vector<SurfaceDefect>& defects, const SourceLin
     if (const std::size_t line = source_line(defect, lines); line != 0) entry["line"] = line;
     (is_error ? list : notes).push_back(std::move(entry));
   }
+  inspection.report["defects"] = std::move(list);
+  inspection.report["notes"] = std::move(notes);
   inspection.has_defects = errors != 0;
   inspection.report["valid"] = errors == 0;
   inspection.summary.line("valid", errors == 0 ? std::string("yes: it bounds a solid, unless it crosses itself")
@@ -175,8 +194,9 @@ void describe_fit(const Surface<Dim>& surface, double max_ratio, Inspection& ins
 template <int Dim>
 void inspect_surface(const Surface<Dim>& surface, const SourceLines& lines, double max_ratio,
                      Inspection& inspection) {
-  describe_counts(surface, inspection);
-  describe_defects(check_surface(surface), lines, inspection);
+  const std::vector<SurfaceDefect> defects = check_surface(surface);
+  describe_counts(surface, defects, inspection);
+  describe_defects(defects, lines, inspection);
   if (inspection.has_defects) return;
   try {
     describe_fit(surface, max_ratio, inspection);
