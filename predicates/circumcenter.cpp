@@ -2,127 +2,255 @@
 #include "predicates/circumcenter.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
-#include "predicates/detail/forms.h"
-#include "predicates/detail/wide_int.h"
+#include "predicates/detail/circumcenter_stages.h"
+#include "predicates/detail/rounding.h"
+#include "predicates/detail/scaled_integers.h"
 #include "predicates/error.h"
 #include "predicates/input_gate.h"
+#include "predicates/polynomials.h"
 
 namespace sinkmesh {
+namespace detail {
 namespace {
 
-using namespace detail;
-
-// Gated coordinates in units of the grid are integers below 2^122, their differences below 2^123.
-constexpr int kCoordinateBits = 122;
-constexpr int kDifferenceBits = 123;
-
-Int128 in_grid_units(double x) { return static_cast<Int128>(std::ldexp(x, kGridBits)); }
-
+/// The vectors from the first corner to the others.
 template <int Dim>
-Vec<WideInt<kDifferenceBits>, Dim> difference(const Point<Dim>& p, const Point<Dim>& q) {
-  Vec<WideInt<kDifferenceBits>, Dim> d;
-  for (std::size_t k = 0; k < Dim; ++k) {
-    d[k] = WideInt<kDifferenceBits>::from(in_grid_units(p[k]) - in_grid_units(q[k]));
+struct FromFirstCorner;
+template <>
+struct FromFirstCorner<2> {
+  static constexpr std::size_t kDim = 2, kPoints = 3;
+  static constexpr std::array<Difference, 2> kVectors{{{1, 0}, {2, 0}}};
+  template <class T>
+  static auto quotient(const std::array<std::array<T, 2>, 2>& v) {
+    return circumcenter_quotient(v[0], v[1]);
   }
-  return d;
-}
-
-// A quotient of integers, cut off towards minus infinity, and what its cutting left: of the divisor, nothing
-// (0), less than a half (1), a half (2), or more (3).
-struct Quotient {
-  Int128 floor;
-  int rest;
+};
+template <>
+struct FromFirstCorner<3> {
+  static constexpr std::size_t kDim = 3, kPoints = 4;
+  static constexpr std::array<Difference, 3> kVectors{{{1, 0}, {2, 0}, {3, 0}}};
+  template <class T>
+  static auto quotient(const std::array<std::array<T, 3>, 3>& v) {
+    return circumcenter_quotient(v[0], v[1], v[2]);
+  }
 };
 
-// Divides in steps of about 50 bits: a quotient of doubles is within a relative error of 2^-48 of the true one,
-// so each step leaves at most 2^-48 of the numerator, and at last less than the divisor but for a final
-// correction. Requires divisor > 0 and |numerator| < 2^123 divisor.
-template <int N, int D>
-Quotient divide(const WideInt<N>& numerator, const WideInt<D>& divisor) {
-  // Room for products of an approximate digit and the divisor.
-  using Rest = WideInt<N + 2>;
-  Rest rest = widen<N + 2>(numerator);
-  Int128 quotient = 0;
-  const double divisor_value = approximate(divisor);
-  const auto subtract = [&](Int128 digit) {
-    const auto product = WideInt<125>::from(digit) * divisor;
-    const auto difference = rest - product;
-    for (std::size_t i = 0; i < rest.kLimbs; ++i) rest.limb[i] = difference.extended(i);
-    quotient += digit;
-  };
-  for (;;) {
-    const double digit = approximate(rest) / divisor_value;
-    if (std::abs(digit) < 2) break;
-    subtract(static_cast<Int128>(digit));
-  }
-  while (rest.is_negative()) subtract(-1);
-  while (!(rest - widen<N + 2>(divisor)).is_negative()) subtract(1);
-  if (rest.sign() == 0) return {quotient, 0};
-  return {quotient, 2 + (rest + rest - widen<N + 2>(divisor)).sign()};
+// ------------------------------------------------------------------------------------------- the certified
+// quotient
+
+/// x in two doubles; relative error at most 2^-104: of |x| = T 2^e + rest, with 2^127 <= T < 2^128, the upper
+/// 106 bits of T are kept, and 2^22 + 1 <= 2^-104 T.
+template <int Bits>
+TwoTerms to_two_terms(const FixedInt<Bits>& x) {
+  constexpr std::size_t kLimbs = FixedInt<Bits>::kLimbs;
+  const std::uint64_t flip = x.is_negative() ? ~std::uint64_t{0} : 0;
+  std::array<std::uint64_t, kLimbs> magnitude;
+  std::uint64_t carry = flip & 1;
+  for (std::size_t i = 0; i < kLimbs; ++i) magnitude[i] = add_with_carry(x.limbs[i] ^ flip, 0, carry);
+  std::size_t top = kLimbs;
+  while (top > 0 && magnitude[top - 1] == 0) --top;
+  if (top == 0) return {0, 0};
+  const auto limb = [&](std::size_t below) { return top >= below ? magnitude[top - below] : std::uint64_t{0}; };
+  const int shift = std::countl_zero(limb(1));
+  Uint128 t = (static_cast<Uint128>(limb(1)) << 64 | limb(2)) << shift;
+  if (shift != 0) t |= limb(3) >> (64 - shift);
+  const int exponent = static_cast<int>(top) * 64 - 128 - shift;
+  const double sign = x.is_negative() ? -1.0 : 1.0;
+  const auto upper = static_cast<double>(static_cast<std::uint64_t>(t >> 75));
+  const auto lower = static_cast<double>(static_cast<std::uint64_t>(t >> 22) & ((std::uint64_t{1} << 53) - 1));
+  return fast_two_sum(sign * upper * power_of_two(exponent + 75), sign * lower * power_of_two(exponent + 22));
 }
 
-// The nearest double on the grid, ties to even, of quotient.floor + rest, in units of the grid. Above 2^53
-// units the double is coarser than the grid, and the rest only says on which side of a tie the value is.
-double round_to_grid(const Quotient& q) {
-  const bool is_negative = q.floor < 0;
-  // Work with the magnitude: for a negative value, cut off towards zero instead.
-  auto magnitude = static_cast<Uint128>(is_negative ? -q.floor : q.floor);
-  int rest = q.rest;
-  if (is_negative && rest != 0) {
-    magnitude -= 1;
-    rest = 4 - rest;
-  }
-  int bits = 0;
-  while (bits < 127 && magnitude >> bits != 0) ++bits;
-  const int dropped = std::max(bits - 53, 0);
-  if (dropped > 0) {
-    const Uint128 half = Uint128{1} << (dropped - 1);
-    const Uint128 tail = magnitude & ((half << 1) - 1);
-    const bool is_exact = rest == 0;
-    rest = tail < half ? (tail == 0 && is_exact ? 0 : 1) : (tail == half && is_exact ? 2 : 3);
-    magnitude >>= dropped;
-  }
-  const bool is_odd = (magnitude & 1) != 0;
-  if (rest == 3 || (rest == 2 && is_odd)) magnitude += 1;
-  const double value =
-      std::ldexp(static_cast<double>(static_cast<std::uint64_t>(magnitude)), dropped - kGridBits);
-  return is_negative ? -value : value;
+/// y / d with relative error at most 32 u^2 + 2 * 2^-104 <= 2^-100 (the second part from the inputs). With q =
+/// fl(y/d), the head of q d cancels y's exactly; the remainder is below 6 u |y| and has four roundings of such
+/// numbers, 14 u^2 |y|; dividing it rounds once more and ignores the tail of d, 12 u^2 |q|.
+TwoTerms divide(const TwoTerms& y, const TwoTerms& d) {
+  const double quotient = y.head / d.head;
+  const TwoTerms product = two_product(quotient, d.head);
+  const double remainder = (((y.head - product.head) - product.tail) + y.tail) - quotient * d.tail;
+  return fast_two_sum(quotient, remainder / d.head);
 }
 
-// z = a + Y/(2D), over one denominator: (2 D a + Y) / (2 D).
-template <int Dim, class Terms>
-bool center_from(const Point<Dim>& a, const Terms& terms, Point<Dim>& center) {
-  auto divisor = terms.d + terms.d;
-  SINKMESH_ASSERT(divisor.sign() != 0);
-  const bool is_turned = divisor.is_negative();
-  if (is_turned) divisor = -divisor;
-  Point<Dim> result;
-  for (std::size_t k = 0; k < Dim; ++k) {
-    const auto offset = WideInt<kCoordinateBits>::from(in_grid_units(a[k])) * divisor;
-    const auto y = is_turned ? -terms.y[k] : terms.y[k];
-    const auto numerator = offset + y;
-    // Two in units of the grid is 2^122; more is not asked for.
-    if (!(std::abs(approximate(numerator)) < 0x1.1p122 * approximate(divisor))) return false;
-    result[k] = round_to_grid(divide(numerator, divisor)) + 0.0;
-    if (std::abs(result[k]) > 2) return false;
+/// base + q, rounded once, if the error of q cannot change the result.
+CenterResult certified_sum(double base, const TwoTerms& q, double& result) {
+  const TwoTerms sum = two_sum(base, q.head);
+  const double rest = sum.tail + q.tail;
+  const TwoTerms z = two_sum(sum.head, rest);
+  // The exact center is z up to 2^-100 |q| and the rounding of `rest`; the factors of two cover those of the
+  // next lines.
+  const double error = 0x1p-99 * std::abs(q.head) + 0x1p-51 * (std::abs(rest) + std::abs(z.tail));
+  const double low = z.head + (z.tail - error);
+  const double high = z.head + (z.tail + error);
+  if (low > 2 || high < -2) return CenterResult::kOutside;
+  // Below 2^(52-kGridBits) the grid is coarser than the doubles.
+  const double magnitude = std::abs(low);
+  if (low != high || !(magnitude < 2) || magnitude <= power_of_two(52 - kGridBits))
+    return CenterResult::kUnknown;
+  result = low;
+  return CenterResult::kInside;
+}
+
+// ------------------------------------------------------------------------------------------------- the long
+// division
+
+/// A natural number below 2^(64 N).
+template <std::size_t N>
+struct Natural {
+  std::array<std::uint64_t, N> limbs{};
+
+  template <int Bits>
+  static Natural magnitude(const FixedInt<Bits>& x) {
+    static_assert(FixedInt<Bits>::kLimbs <= N);
+    const std::uint64_t flip = x.is_negative() ? ~std::uint64_t{0} : 0;
+    Natural r;
+    std::uint64_t carry = flip & 1;
+    for (std::size_t i = 0; i < N; ++i) r.limbs[i] = add_with_carry(x.limb(i) ^ flip, 0, carry);
+    return r;
   }
-  center = result;
+
+  bool is_zero() const {
+    return std::all_of(limbs.begin(), limbs.end(), [](std::uint64_t limb) { return limb == 0; });
+  }
+  void shift_left(unsigned count) {
+    for (; count >= 64; count -= 64) {
+      std::copy_backward(limbs.begin(), limbs.end() - 1, limbs.end());
+      limbs[0] = 0;
+    }
+    if (count == 0) return;
+    for (std::size_t i = N; i-- > 1;) limbs[i] = limbs[i] << count | limbs[i - 1] >> (64 - count);
+    limbs[0] <<= count;
+  }
+  void halve() {
+    for (std::size_t i = 0; i + 1 < N; ++i) limbs[i] = limbs[i] >> 1 | limbs[i + 1] << 63;
+    limbs[N - 1] >>= 1;
+  }
+  /// Subtracts x if the result is not negative. @return whether it did.
+  bool try_subtract(const Natural& x) {
+    Natural difference;
+    std::uint64_t borrow = 0;
+    for (std::size_t i = 0; i < N; ++i) {
+      difference.limbs[i] = subtract_with_borrow(limbs[i], x.limbs[i], borrow);
+    }
+    if (borrow == 0) *this = difference;
+    return borrow == 0;
+  }
+};
+
+/// numerator / denominator in units of the grid, rounded to nearest even on the grid's doubles; false if the
+/// magnitude of the quotient exceeds 2 (2^(kGridBits+1) units).
+template <int A, int B>
+bool round_quotient(const FixedInt<A>& numerator, const FixedInt<B>& denominator, double& result) {
+  constexpr int kQuotientBits = kGridBits + 2;  // of twice the quotient
+  constexpr std::size_t kLimbs = static_cast<std::size_t>(std::max(A + 1, B + kQuotientBits)) / 64 + 1;
+  using Number = Natural<kLimbs>;
+  Number remainder = Number::magnitude(numerator);
+  remainder.shift_left(1);
+  Number divisor = Number::magnitude(denominator);
+  divisor.shift_left(kQuotientBits);
+  Uint128 quotient = 0;  // floor(2 numerator / denominator)
+  for (int bit = kQuotientBits; bit >= 0; --bit) {
+    if (remainder.try_subtract(divisor)) quotient |= static_cast<Uint128>(1) << bit;
+    divisor.halve();
+  }
+  const bool inexact = !remainder.is_zero();
+  const Uint128 largest = static_cast<Uint128>(1) << kQuotientBits;
+  if (quotient > largest || (quotient == largest && inexact)) return false;
+
+  // Two bits below the unit: the half, and whether anything lies below it.
+  const Uint128 n = quotient << 1 | static_cast<Uint128>(inexact);
+  const auto high = static_cast<std::uint64_t>(n >> 64);
+  const auto low = static_cast<std::uint64_t>(n);
+  const int length = static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(low));
+  const int dropped = std::max(2, length - 53);
+  auto rounded = static_cast<std::uint64_t>(n >> dropped);
+  const Uint128 rest = n - (static_cast<Uint128>(rounded) << dropped);
+  const Uint128 half = static_cast<Uint128>(1) << (dropped - 1);
+  if (rest > half || (rest == half && (rounded & 1) != 0)) ++rounded;
+  const double magnitude = static_cast<double>(rounded) * power_of_two(dropped - 2 - kGridBits);
+  const bool negative = numerator.sign() * denominator.sign() < 0;
+  result = negative && rounded != 0 ? -magnitude : magnitude;
   return true;
 }
 
 }  // namespace
 
-bool circumcenter(const Corners<2>& s, Point2& center) {
-  return center_from<2>(*s[0], center_terms(difference<2>(*s[1], *s[0]), difference<2>(*s[2], *s[0])), center);
+template <int Dim>
+CenterResult certified_circumcenter(const Corners<Dim>& s, Point<Dim>& center) {
+  using P = FromFirstCorner<Dim>;
+  Vectors<P, FixedInt<kBits64>> vectors;
+  const double scale = scaled_integers<P, kBits64>(s, vectors);
+  if (scale == 0) return CenterResult::kUnknown;
+  const auto quotient = P::quotient(vectors);
+  SINKMESH_ASSERT(quotient.d.sign() != 0);
+  // The integers are the lengths times scale; y / (2 d) is homogeneous of degree 1.
+  const double unit = 0.5 / scale;
+  const TwoTerms d = to_two_terms(quotient.d);
+  Point<Dim> result;
+  bool known = true;
+  for (std::size_t k = 0; k < Dim; ++k) {
+    const TwoTerms q = divide(to_two_terms(quotient.y[k]), d);
+    const CenterResult r = certified_sum((*s[0])[k], {q.head * unit, q.tail * unit}, result[k]);
+    if (r == CenterResult::kOutside) return r;
+    known &= r == CenterResult::kInside;
+  }
+  if (!known) return CenterResult::kUnknown;
+  center = result;
+  return CenterResult::kInside;
 }
 
-bool circumcenter(const Corners<3>& s, Point3& center) {
-  return center_from<3>(
-      *s[0],
-      center_terms(difference<3>(*s[1], *s[0]), difference<3>(*s[2], *s[0]), difference<3>(*s[3], *s[0])),
-      center);
+/// With coordinates as integers in units of the grid: z = a + y / (2 d) = (2 a d + y) / (2 d).
+template <int Dim>
+CenterResult exact_circumcenter(const Corners<Dim>& s, Point<Dim>& center) {
+  using P = FromFirstCorner<Dim>;
+  constexpr int kCoordinateBits = kGridBits + 1;
+  const auto grid_units = [&](std::size_t i, std::size_t k) {
+    Int128 n = 0;
+    [[maybe_unused]] const bool on_grid = to_integer((*s[i])[k] * power_of_two(kGridBits), n);
+    SINKMESH_ASSERT(on_grid);
+    return n;
+  };
+  Vectors<P, FixedInt<kCoordinateBits + 1>> vectors;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    for (std::size_t k = 0; k < Dim; ++k) {
+      vectors[i][k] = FixedInt<kCoordinateBits + 1>(grid_units(i + 1, k) - grid_units(0, k));
+    }
+  }
+  const auto quotient = P::quotient(vectors);
+  SINKMESH_ASSERT(quotient.d.sign() != 0);
+  const auto denominator = twice(quotient.d);
+  Point<Dim> result;
+  for (std::size_t k = 0; k < Dim; ++k) {
+    const FixedInt<kCoordinateBits> base(grid_units(0, k));
+    if (!round_quotient(base * denominator + quotient.y[k], denominator, result[k]))
+      return CenterResult::kOutside;
+  }
+  center = result;
+  return CenterResult::kInside;
 }
+
+template CenterResult certified_circumcenter<2>(const Corners<2>&, Point2&);
+template CenterResult certified_circumcenter<3>(const Corners<3>&, Point3&);
+template CenterResult exact_circumcenter<2>(const Corners<2>&, Point2&);
+template CenterResult exact_circumcenter<3>(const Corners<3>&, Point3&);
+
+namespace {
+
+template <int Dim>
+bool rounded_circumcenter(const Corners<Dim>& s, Point<Dim>& center) {
+  CenterResult r = certified_circumcenter<Dim>(s, center);
+  if (r == CenterResult::kUnknown) r = exact_circumcenter<Dim>(s, center);
+  return r == CenterResult::kInside;
+}
+
+}  // namespace
+}  // namespace detail
+
+bool circumcenter(const Corners<2>& s, Point2& center) { return detail::rounded_circumcenter<2>(s, center); }
+bool circumcenter(const Corners<3>& s, Point3& center) { return detail::rounded_circumcenter<3>(s, center); }
 
 }  // namespace sinkmesh

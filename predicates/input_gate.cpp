@@ -2,12 +2,11 @@
 #include "predicates/input_gate.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <string>
 
+#include "predicates/detail/grid.h"
 #include "predicates/error.h"
 
 namespace sinkmesh {
@@ -15,69 +14,66 @@ namespace {
 
 constexpr int kSmallestExponent = -800;
 
-std::string text_of(double x) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.17g", x);
-  return buffer;
+std::string coordinate_text(std::size_t index, std::size_t axis, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.17g (%a)", value, value);
+  return "point " + std::to_string(index) + ": coordinate " + "xyz"[axis] + " is " + text;
 }
 
-template <int Dim>
-double largest_coordinate(std::span<const Point<Dim>> points) {
-  double largest = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t k = 0; k < Dim; ++k) {
-      const double x = std::abs(points[i][k]);
-      if (!std::isfinite(x)) {
-        throw InputError(std::string("coordinate ") + "xyz"[k] + " of point " + std::to_string(i) + " is " +
-                         text_of(points[i][k]) + ": coordinates must be finite");
-      }
-      largest = std::max(largest, x);
-    }
-  }
-  return largest;
-}
-
-// The exponent of the lowest set bit of a double that is not 0.
-int lowest_bit(double x) {
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  const auto mantissa = static_cast<std::uint64_t>(std::ldexp(std::abs(fraction), 53));
-  return exponent - 53 + std::countr_zero(mantissa);
-}
-
-// 2^exponent as two factors that are normal doubles.
-std::array<double, 2> power_of_two(int exponent) {
-  const int half = exponent / 2;
-  return {std::ldexp(1.0, half), std::ldexp(1.0, exponent - half)};
+/// To the nearest multiple of 2^-kGridBits, ties to even; -0.0 becomes +0.0. From 2^(52-kGridBits) on, every
+/// double is one already; below, x 2^kGridBits is exact or far below one half.
+double round_to_grid(double x) {
+  if (std::abs(x) >= std::ldexp(1.0, 52 - kGridBits)) return x;
+  return std::ldexp(std::nearbyint(std::ldexp(x, kGridBits)), -kGridBits) + 0.0;
 }
 
 }  // namespace
 
 template <int Dim>
 InputGate<Dim>::InputGate(std::span<const Point<Dim>> points) {
-  const double largest = largest_coordinate<Dim>(points);
-  if (largest > 0) {
-    exponent_ = -std::ilogb(largest);
-    if (exponent_ > -kSmallestExponent) {
-      throw InputError("the largest coordinate is " + text_of(largest) +
-                       ": too small for doubles to hold what is computed from it; scale the input up");
+  double largest = 0;
+  std::size_t index_of_largest = 0;
+  std::size_t axis_of_largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < Dim; ++k) {
+      const double x = points[i][k];
+      if (!std::isfinite(x)) {
+        throw InputError(coordinate_text(i, k, x) +
+                         "; every coordinate must be a finite number: remove or repair this point");
+      }
+      if (std::abs(x) > std::abs(largest)) {
+        largest = x;
+        index_of_largest = i;
+        axis_of_largest = k;
+      }
     }
   }
-  to_gated_ = power_of_two(exponent_);
-  to_input_ = power_of_two(-exponent_);
-  int lowest = 0;
+  if (largest != 0) exponent_ = -std::ilogb(largest);
+  if (exponent_ > -kSmallestExponent) {
+    throw InputError(coordinate_text(index_of_largest, axis_of_largest, largest) +
+                     ", the largest of all, and below 2^-800: results would not be representable; multiply all "
+                     "coordinates by a large constant (choose another unit of length)");
+  }
   for (const Point<Dim>& p : points) {
     const Point<Dim> gated = in(p);
     box_.include(gated);
-    bool is_rounded = false;
-    for (std::size_t k = 0; k < Dim; ++k) {
-      // Largest first, so that neither product leaves the range: to_gated_ has equal halves.
-      is_rounded = is_rounded || gated[k] != p[k] * to_gated_[0] * to_gated_[1];
-      if (gated[k] != 0) lowest = std::min(lowest, lowest_bit(gated[k]));
-    }
-    rounded_points_ += is_rounded ? 1 : 0;
+    for (const double x : gated) granularity_ = std::max(granularity_, detail::fraction_bits(x));
+    if (out(gated) != p) ++rounded_points_;
   }
-  granularity_ = -lowest;
+}
+
+template <int Dim>
+Point<Dim> InputGate<Dim>::in(const Point<Dim>& p) const {
+  Point<Dim> gated;
+  for (std::size_t k = 0; k < Dim; ++k) gated[k] = round_to_grid(std::ldexp(p[k], exponent_));
+  return gated;
+}
+
+template <int Dim>
+Point<Dim> InputGate<Dim>::out(const Point<Dim>& p) const {
+  Point<Dim> raw;
+  for (std::size_t k = 0; k < Dim; ++k) raw[k] = std::ldexp(p[k], -exponent_);
+  return raw;
 }
 
 template class InputGate<2>;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <type_traits>
+#include <cstddef>
 
 #include "predicates/build_guard.h"
 
@@ -37,14 +38,14 @@ struct Box {
   Point<Dim> high = filled(-HUGE_VAL);
 
   void include(const Point<Dim>& p) {
-    for (int k = 0; k < Dim; ++k) {
+    for (std::size_t k = 0; k < Dim; ++k) {
       low[k] = std::min(low[k], p[k]);
       high[k] = std::max(high[k], p[k]);
     }
   }
 
   bool contains(const Point<Dim>& p) const {
-    for (int k = 0; k < Dim; ++k) {
+    for (std::size_t k = 0; k < Dim; ++k) {
       if (!(low[k] <= p[k] && p[k] <= high[k])) return false;
     }
     return true;

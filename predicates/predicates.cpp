@@ -1,77 +1,87 @@
 // SPDX-License-Identifier: MIT
+//
+// The predicates for raw doubles.
 #include "predicates/predicates.h"
 
-#include "predicates/detail/stages.h"
 #include "predicates/detail/symbolic.h"
+#include "predicates/verdict.h"
 
 namespace sinkmesh {
 namespace {
 
 using namespace detail;
 
-template <class Form>
-int sign_of(const typename Form::Points& points) {
-  return exact_sign<Form>(points, 0).sign;
+template <class P>
+int sign_of(const Points<P>& points) {
+  return decide<P>(points).sign;
 }
 
 template <int Dim>
-int orthogonality_of(const std::array<Point<Dim>, Dim + 1>& s, const std::array<Point<Dim>, Dim + 1>& t) {
-  typename Orthogonality<Dim>::Points points;
+int perturbed_in_sphere(const Points<InSphere<Dim>>& points) {
+  if (const int s = sign_of<InSphere<Dim>>(points); s != 0) return s;
+  return in_sphere_at_tie<Dim>(points, sign_of<Orientation<Dim>>);
+}
+
+template <int Dim>
+int perturbed_diametral_side(const Points<Diametral<Dim>>& points) {
+  if (const int s = sign_of<Diametral<Dim>>(points); s != 0) return s;
+  return flow_at_tie<Dim>(points, sign_of<FacetNormals<Dim>>);
+}
+
+/// The polynomial is the value times both volumes.
+template <int Dim>
+int signed_orthogonality(const std::array<Point<Dim>, Dim + 1>& s, const std::array<Point<Dim>, Dim + 1>& t) {
+  Points<Orientation<Dim>> first;
+  Points<Orientation<Dim>> second;
+  Points<Orthogonality<Dim>> all;
   for (std::size_t i = 0; i <= Dim; ++i) {
-    points[i] = &s[i];
-    points[i + Dim + 1] = &t[i];
+    all[i] = first[i] = &s[i];
+    all[i + Dim + 1] = second[i] = &t[i];
   }
-  const int sign = sign_of<Orthogonality<Dim>>(points);
-  if (sign == 0) return 0;
-  if constexpr (Dim == 2) {
-    return sign * orient2d(s[0], s[1], s[2]) * orient2d(t[0], t[1], t[2]);
-  } else {
-    return sign * orient3d(s[0], s[1], s[2], s[3]) * orient3d(t[0], t[1], t[2], t[3]);
-  }
+  return sign_of<Orthogonality<Dim>>(all) * sign_of<Orientation<Dim>>(first) *
+         sign_of<Orientation<Dim>>(second);
 }
 
 }  // namespace
 
-int orient2d(const Point2& a, const Point2& b, const Point2& c) { return sign_of<Orient2d>({&a, &b, &c}); }
+int orient2d(const Point2& a, const Point2& b, const Point2& c) {
+  return sign_of<Orientation<2>>({&a, &b, &c});
+}
 int orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  return sign_of<Orient3d>({&a, &b, &c, &d});
-}
-int incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  return sign_of<Incircle>({&a, &b, &c, &d});
-}
-int insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
-  return sign_of<Insphere>({&a, &b, &c, &d, &e});
+  return sign_of<Orientation<3>>({&a, &b, &c, &d});
 }
 
+int incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  return sign_of<InSphere<2>>({&a, &b, &c, &d});
+}
+int insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
+  return sign_of<InSphere<3>>({&a, &b, &c, &d, &e});
+}
 int incircle_sos(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  if (const int sign = incircle(a, b, c, d)) return sign;
-  return in_sphere_tie(Incircle::Points{&a, &b, &c, &d}, sign_of<Orient2d>);
+  return perturbed_in_sphere<2>({&a, &b, &c, &d});
 }
 int insphere_sos(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
-  if (const int sign = insphere(a, b, c, d, e)) return sign;
-  return in_sphere_tie(Insphere::Points{&a, &b, &c, &d, &e}, sign_of<Orient3d>);
+  return perturbed_in_sphere<3>({&a, &b, &c, &d, &e});
 }
 
 int diametral_side(const Point2& a, const Point2& b, const Point2& x) {
-  return sign_of<DiametralCircle>({&a, &b, &x});
+  return sign_of<Diametral<2>>({&a, &b, &x});
 }
 int diametral_side(const Point3& a, const Point3& b, const Point3& c, const Point3& x) {
-  return sign_of<DiametralSphere>({&a, &b, &c, &x});
+  return sign_of<Diametral<3>>({&a, &b, &c, &x});
 }
 int diametral_side_sos(const Point2& a, const Point2& b, const Point2& x) {
-  if (const int sign = diametral_side(a, b, x)) return sign;
-  return flow_tie({&a, &b, &x});
+  return perturbed_diametral_side<2>({&a, &b, &x});
 }
 int diametral_side_sos(const Point3& a, const Point3& b, const Point3& c, const Point3& x) {
-  if (const int sign = diametral_side(a, b, c, x)) return sign;
-  return flow_tie({&a, &b, &c, &x});
+  return perturbed_diametral_side<3>({&a, &b, &c, &x});
 }
 
 int orthogonality(const std::array<Point2, 3>& s, const std::array<Point2, 3>& t) {
-  return orthogonality_of<2>(s, t);
+  return signed_orthogonality<2>(s, t);
 }
 int orthogonality(const std::array<Point3, 4>& s, const std::array<Point3, 4>& t) {
-  return orthogonality_of<3>(s, t);
+  return signed_orthogonality<3>(s, t);
 }
 
 }  // namespace sinkmesh

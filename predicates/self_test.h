@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Does this build, in this process, compute what the proofs of the predicates assume?
+// A start-up check of the arithmetic that the exact signs rest on [PS, 14].
 #pragma once
 
 #include <string>
 
 namespace sinkmesh {
 
-/// Tests rounding to nearest, gradual underflow, the absence of fused operations, and known signs of every
-/// predicate. A library linked with -ffast-math can switch on flush-to-zero for the whole process, so programs
-/// call this at start.
-/// @return what is wrong, in one line; empty if nothing is. Microseconds.
+/// Detects, in this process and for the current thread: fused multiplications, flush-to-zero, a rounding mode
+/// other than to nearest, and wrong signs of known vectors. Shared objects linked with -ffast-math can switch
+/// on flush-to-zero for the whole process. Not called by the library; programs call it once.
+/// @return empty if all is well, otherwise one line that names what is wrong.
 std::string predicates_self_test();
 
 }  // namespace sinkmesh

@@ -1,93 +1,70 @@
 // SPDX-License-Identifier: MIT
 #include "predicates/staged.h"
 
-#include <cmath>
+#include <algorithm>
 
+#include "predicates/detail/grid.h"
 #include "predicates/detail/symbolic.h"
 
 namespace sinkmesh {
-namespace {
+namespace detail {
 
-// g^k for g = 2^-granularity, as long as that is a normal double; 0 switches the certificate off.
-double grain(int granularity, int degree) {
-  return granularity * degree <= 1022 ? std::ldexp(1.0, -granularity * degree) : 0;
+template <class P>
+void Filter<P>::update(const Point<P::kDim>& extents, int granularity) {
+  error = error_within<P>(extents);
+  const int bits = P::kDegree * granularity;
+  unit = bits <= 1022 ? std::ldexp(1.0, -bits) : 0;
 }
 
-}  // namespace
+}  // namespace detail
 
 template <int Dim>
-Predicates<Dim>::Predicates(const Box<Dim>& box, int granularity)
-    : box_(box), per_grain_(std::ldexp(1.0, granularity)) {
-  orient_.grain = grain(granularity, Orient::kDegree);
-  in_sphere_.grain = grain(granularity, InSphere::kDegree);
-  diametral_.grain = grain(granularity, Diametral::kDegree);
-  set_errors();
-}
-
-// Rounding is monotone: |fl(x - y)| <= fl(high - low) for all x, y in the box. So the extents bound all
-// differences.
-template <int Dim>
-void Predicates<Dim>::set_errors() {
-  std::array<double, Dim> extents;
-  for (std::size_t k = 0; k < Dim; ++k) extents[k] = box_.high[k] - box_.low[k];
-  orient_.error = detail::error_over<Orient>(extents);
-  in_sphere_.error = detail::error_over<InSphere>(extents);
-  diametral_.error = detail::error_over<Diametral>(extents);
+Predicates<Dim>::Predicates(const Box<Dim>& box, int granularity) : box_(box), granularity_(granularity) {
+  update();
 }
 
 template <int Dim>
-void Predicates<Dim>::enlarge(const Point<Dim>& p) {
+void Predicates<Dim>::include(const Point<Dim>& p) {
+  int granularity = granularity_;
+  for (const double x : p) granularity = std::max(granularity, detail::fraction_bits(x));
+  if (box_.contains(p) && granularity == granularity_) return;
   box_.include(p);
-  set_errors();
+  granularity_ = granularity;
+  update();
+}
+
+/// An extent is the largest rounded difference of two coordinates, because rounding is monotone.
+template <int Dim>
+void Predicates<Dim>::update() {
+  Point<Dim> extents;
+  for (std::size_t k = 0; k < Dim; ++k) extents[k] = std::max(0.0, box_.high[k] - box_.low[k]);
+  const auto update_filter = [&]<class P>(detail::Filter<P>& filter) { filter.update(extents, granularity_); };
+  update_filter.template operator()<detail::Orientation<Dim>>(filters_);
+  update_filter.template operator()<detail::InSphere<Dim>>(filters_);
+  update_filter.template operator()<detail::Diametral<Dim>>(filters_);
+  update_filter.template operator()<detail::FacetNormals<Dim>>(filters_);
+  update_filter.template operator()<detail::Orthogonality<Dim>>(filters_);
 }
 
 template <int Dim>
-bool Predicates<Dim>::is_multiple(const Point<Dim>& p) const {
-  for (const double x : p) {
-    const double scaled = x * per_grain_;
-    if (std::trunc(scaled) != scaled) return false;
-  }
-  return true;
+int Predicates<Dim>::in_sphere_at_tie(const detail::Points<detail::InSphere<Dim>>& points) const {
+  return detail::in_sphere_at_tie<Dim>(points, [this](const Corners<Dim>& s) { return orient(s); });
 }
 
 template <int Dim>
-void Predicates<Dim>::give_up_granularity() {
-  is_granular_ = false;
-  orient_.grain = in_sphere_.grain = diametral_.grain = 0;
+int Predicates<Dim>::flow_at_tie(const detail::Points<detail::Diametral<Dim>>& points) const {
+  using Normals = detail::FacetNormals<Dim>;
+  return detail::flow_at_tie<Dim>(
+      points, [this](const detail::Points<Normals>& normals) { return verdict<Normals>(normals).sign; });
 }
 
-template <int Dim>
-int Predicates<Dim>::orient_exactly(const typename Orient::Points& points) const {
-  return detail::exact_sign<Orient>(points, orient_.grain).sign;
-}
-
-template <int Dim>
-int Predicates<Dim>::in_sphere_exactly(const typename InSphere::Points& points) const {
-  const int sign = detail::exact_sign<InSphere>(points, in_sphere_.grain).sign;
-  if (sign != 0) return sign;
-  return detail::in_sphere_tie(points, [this](const Corners<Dim>& s) { return orient(s); });
-}
-
-template <int Dim>
-int Predicates<Dim>::diametral_side_exactly(const typename Diametral::Points& points) const {
-  return detail::exact_sign<Diametral>(points, diametral_.grain).sign;
-}
-
-template <int Dim>
-int Predicates<Dim>::flow_side_exactly(const typename Diametral::Points& points) const {
-  const int sign = diametral_side_exactly(points);
-  return sign != 0 ? sign : detail::flow_tie(points);
-}
-
+/// The polynomial is the value times both volumes.
 template <int Dim>
 int Predicates<Dim>::orthogonality(const Corners<Dim>& s, const Corners<Dim>& t) const {
-  typename detail::Orthogonality<Dim>::Points points;
-  for (std::size_t i = 0; i <= Dim; ++i) {
-    points[i] = s[i];
-    points[i + Dim + 1] = t[i];
-  }
-  const int sign = detail::exact_sign<detail::Orthogonality<Dim>>(points, 0).sign;
-  return sign == 0 ? 0 : sign * orient(s) * orient(t);
+  detail::Points<detail::Orthogonality<Dim>> points;
+  std::copy(s.begin(), s.end(), points.begin());
+  std::copy(t.begin(), t.end(), points.begin() + Dim + 1);
+  return verdict<detail::Orthogonality<Dim>>(points).sign * orient(s) * orient(t);
 }
 
 template class Predicates<2>;

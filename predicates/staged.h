@@ -4,13 +4,34 @@
 // call. Same signs as predicates.h; the box and the granularity of the set make most calls one comparison.
 #pragma once
 
-#include <array>
-#include <type_traits>
+#include <cmath>
+#include <cstddef>
 
-#include "predicates/detail/stages.h"
 #include "predicates/point.h"
+#include "predicates/polynomials.h"
+#include "predicates/verdict.h"
 
 namespace sinkmesh {
+
+namespace detail {
+
+/// What a point set says about every value of P.
+template <class P>
+struct Filter {
+  double error = 0;  ///< of the rounded value
+  double unit = 0;   ///< divides the exact value; 0 where it would underflow
+
+  void update(const Point<P::kDim>& extents, int granularity);
+};
+
+template <int Dim>
+struct Filters : Filter<Orientation<Dim>>,
+                 Filter<InSphere<Dim>>,
+                 Filter<Diametral<Dim>>,
+                 Filter<FacetNormals<Dim>>,
+                 Filter<Orthogonality<Dim>> {};
+
+}  // namespace detail
 
 /// Laws and conventions: predicates.h. Every point passed in must have been covered by the box given to the
 /// constructor or to include(); include() must come first, never after the call.
@@ -23,85 +44,60 @@ class Predicates {
 
   /// Makes p a legal argument. A point outside the box enlarges it, and a point that is not a multiple of the
   /// granularity ends the certificates of zero that rest on it.
-  void include(const Point<Dim>& p) {
-    if (!box_.contains(p)) enlarge(p);
-    if (is_granular_ && !is_multiple(p)) give_up_granularity();
-  }
+  void include(const Point<Dim>& p);
 
   /// Sign of the signed volume; 0 is an answer.
-  int orient(const Corners<Dim>& s) const {
-    const double value = Orient::value(detail::differences<Orient>(s));
-    if (value > orient_.error) return 1;
-    if (value < -orient_.error) return -1;
-    return orient_exactly(s);
-  }
+  int orient(const Corners<Dim>& s) const { return verdict<detail::Orientation<Dim>>(s).sign; }
 
   /// Perturbed, never 0: +1 if x is strictly inside the circumsphere of the positively oriented s.
-  int in_sphere(const Corners<Dim>& s, const PointArg<Dim>& x) const {
-    const auto points = append(s, x);
-    const double value = InSphere::value(detail::differences<InSphere>(points));
-    if (value > in_sphere_.error) return 1;
-    if (value < -in_sphere_.error) return -1;
-    return in_sphere_exactly(points);
+  int in_sphere(const Corners<Dim>& s, const Point<Dim>& x) const {
+    const auto points = join<Dim + 2>(s, x);
+    const detail::Verdict v = verdict<detail::InSphere<Dim>>(points);
+    return v.sign != 0 ? v.sign : in_sphere_at_tie(points);
   }
 
   /// Unperturbed: -1 if x is strictly inside the diametral sphere of the facet.
-  int diametral_side(const FacetCorners<Dim>& facet, const PointArg<Dim>& x) const {
-    const auto points = append(facet, x);
-    const double value = Diametral::value(detail::differences<Diametral>(points));
-    if (value > diametral_.error) return 1;
-    if (value < -diametral_.error) return -1;
-    return diametral_side_exactly(points);
+  int diametral_side(const FacetCorners<Dim>& facet, const Point<Dim>& x) const {
+    return verdict<detail::Diametral<Dim>>(join<Dim + 1>(facet, x)).sign;
   }
 
   /// Perturbed, never 0: -1 if the simplex of facet and apex flows across the facet.
-  int flow_side(const FacetCorners<Dim>& facet, const PointArg<Dim>& apex) const {
-    const auto points = append(facet, apex);
-    const double value = Diametral::value(detail::differences<Diametral>(points));
-    if (value > diametral_.error) return 1;
-    if (value < -diametral_.error) return -1;
-    return flow_side_exactly(points);
+  int flow_side(const FacetCorners<Dim>& facet, const Point<Dim>& apex) const {
+    const auto points = join<Dim + 1>(facet, apex);
+    const detail::Verdict v = verdict<detail::Diametral<Dim>>(points);
+    return v.sign != 0 ? v.sign : flow_at_tie(points);
   }
 
   /// Unperturbed: see orthogonality() in predicates.h.
   int orthogonality(const Corners<Dim>& s, const Corners<Dim>& t) const;
 
- private:
-  using Orient = std::conditional_t<Dim == 2, detail::Orient2d, detail::Orient3d>;
-  using InSphere = std::conditional_t<Dim == 2, detail::Incircle, detail::Insphere>;
-  using Diametral = std::conditional_t<Dim == 2, detail::DiametralCircle, detail::DiametralSphere>;
-
-  /// What is known of a form over the whole set.
-  struct Known {
-    double error = 0;  ///< of its rounded value, for all points in the box
-    double grain = 0;  ///< its exact value is a multiple; 0: nothing known
-  };
-
-  template <std::size_t N>
-  static std::array<const Point<Dim>*, N + 1> append(const std::array<const Point<Dim>*, N>& points,
-                                                     const Point<Dim>& x) {
-    std::array<const Point<Dim>*, N + 1> all;
-    for (std::size_t i = 0; i < N; ++i) all[i] = points[i];
-    all[N] = &x;
-    return all;
+  /// The unperturbed sign of one polynomial, and the stage that proved it.
+  template <class P>
+  detail::Verdict verdict(const detail::Points<P>& points) const {
+    const detail::Filter<P>& filter = filters_;
+    const double value = P::value(detail::rounded_vectors<P>(points));
+    if (std::abs(value) > filter.error) [[likely]]
+      return {value > 0 ? 1 : -1, detail::Stage::kStatic};
+    return detail::decide_after_static<P>(points, value, filter.unit);
   }
 
-  void enlarge(const Point<Dim>& p);
-  void set_errors();
-  bool is_multiple(const Point<Dim>& p) const;
-  void give_up_granularity();
+ private:
+  template <std::size_t N>
+  static std::array<const Point<Dim>*, N> join(const std::array<const Point<Dim>*, N - 1>& points,
+                                               const Point<Dim>& last) {
+    std::array<const Point<Dim>*, N> result;
+    for (std::size_t i = 0; i + 1 < N; ++i) result[i] = points[i];
+    result[N - 1] = &last;
+    return result;
+  }
 
-  int orient_exactly(const typename Orient::Points& points) const;
-  int in_sphere_exactly(const typename InSphere::Points& points) const;
-  int diametral_side_exactly(const typename Diametral::Points& points) const;
-  int flow_side_exactly(const typename Diametral::Points& points) const;
+  int in_sphere_at_tie(const detail::Points<detail::InSphere<Dim>>& points) const;
+  int flow_at_tie(const detail::Points<detail::Diametral<Dim>>& points) const;
+  void update();
 
-  Known orient_;
-  Known in_sphere_;
-  Known diametral_;
   Box<Dim> box_;
-  double per_grain_ = 0;  // 2^granularity
-  bool is_granular_ = true;
+  int granularity_;
+  detail::Filters<Dim> filters_;
 };
 
 extern template class Predicates<2>;
