@@ -61,9 +61,9 @@ void ProgressLine::update(const Progress& progress) {
       rate_time_ = now;
     }
   }
-  draw(fmt::format("refining: {} vertices, {} simplices, {} of low quality, {} vertices/s, {:.0f} s",
-                   grouped(progress.vertices), grouped(progress.simplices), grouped(progress.low_quality),
-                   grouped(static_cast<std::uint64_t>(rate_)), now));
+  const std::string rate = rate_ > 0 ? fmt::format(" (+{}/s)", grouped(static_cast<std::uint64_t>(rate_))) : "";
+  draw(fmt::format("refining: {} vertices{}, low quality {} of {}, {:.0f} s", grouped(progress.vertices), rate,
+                   grouped(progress.low_quality), grouped(progress.simplices), now));
 }
 
 void ProgressLine::draw(std::string text) {
