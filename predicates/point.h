@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 #include <cstddef>
+#include <type_traits>
 
 #include "predicates/build_guard.h"
 

@@ -68,9 +68,9 @@ struct RefineOptions {
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   std::size_t max_bytes = std::numeric_limits<std::size_t>::max();
   /// Polled about every hundred candidates. May be empty.
-  std::function<Continue()> should_continue;
+  std::function<Continue()> should_continue = {};
   /// Called after each round. May be empty.
-  std::function<void(const Progress&)> observer;
+  std::function<void(const Progress&)> observer = {};
 };
 
 /// Why a refinement ended.

@@ -190,7 +190,11 @@ Mesh<Dim> hull_mesh(const Triangulation<Dim>& triangulation) {
 
 template <int Dim>
 Mesh<Dim> refine(const Surface<Dim>& surface, const RefineOptions& options) {
-  require_valid(surface);
+  for (const SurfaceDefect& defect : check_surface(surface)) {
+    if (severity(defect.kind) == SurfaceSeverity::error) {
+      throw InputError(defect.message + ": " + std::string(advice(defect.kind)));
+    }
+  }
   SurfaceMesher<Dim> mesher(surface);
   mesher.find_domain();
   mesher.refine(options);
