@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""Help, version and wrong usage."""
+import unittest
+
+from program import TETRAHEDRON, ProgramTest, ellipsoid, off
+
+
+class Usage(ProgramTest):
+    def test_help_of_every_command_has_an_example(self):
+        for command in ([], ["refine"], ["delaunay"], ["inspect"]):
+            text = self.succeed(*command, "--help")
+            self.assertIn("Example:\n  sinkmesh", text)
+
+    def test_help_of_refine_names_every_option(self):
+        text = self.succeed("refine", "--help")
+        for option in ("--output", "--ratio", "--insert", "--schedule", "--literal", "--fallback", "--threads",
+                       "--max-vertices", "--time-limit", "--report", "--history", "--quiet", "--format"):
+            self.assertIn(option, text)
+
+    def test_version(self):
+        self.assertRegex(self.succeed("--version"), r"^sinkmesh \d+\.\d+\.\d+\n$")
+
+    def test_wrong_usage_is_one_line_with_a_hint(self):
+        surface = self.write("in.off", off(TETRAHEDRON))
+        out = ["-o", self.path("out.vtu")]
+        for arguments in (
+            [],
+            ["mend"],
+            ["refine"],
+            ["refine", surface],
+            ["refine", surface, *out, "--no-such-option"],
+            ["refine", surface, *out, "--ratio", "0.9"],
+            ["refine", surface, *out, "--ratio", "nan"],
+            ["refine", surface, *out, "--ratio", "inf"],
+            ["refine", surface, *out, "--ratio", "two"],
+            ["refine", surface, *out, "--insert", "centroid"],
+            ["refine", surface, *out, "--schedule", "random"],
+            ["refine", surface, *out, "--fallback", "maybe"],
+            ["refine", surface, *out, "--literal"],
+            ["refine", surface, *out, "--threads", "0"],
+            ["refine", surface, *out, "--threads", "-1"],
+            ["refine", surface, *out, "--max-vertices", "-5"],
+            ["refine", surface, *out, "--max-vertices", "1.5"],
+            ["refine", surface, *out, "--time-limit", "-1"],
+            ["refine", surface, *out, "--format", "docx"],
+            ["refine", surface, *out, "--input-format", "docx"],
+            ["refine", surface, "-o", self.path("out.docx")],
+            ["refine", surface, "-o", self.path("out")],
+            ["refine", surface, "-o", "-"],
+            ["delaunay", surface],
+            ["delaunay", surface, *out, "--engine", "magic"],
+            ["delaunay", surface, *out, "--dimension", "4"],
+            ["inspect"],
+            ["inspect", "-"],
+        ):
+            with self.subTest(arguments=arguments):
+                self.assertIn("--help", self.fail_with_one_line(2, *arguments))
+        self.assertEqual(self.files(), ["in.off"])
+
+    def test_unknown_suffix_of_output_lists_the_known_ones(self):
+        surface = self.write("in.off", off(TETRAHEDRON))
+        message = self.fail_with_one_line(2, "refine", surface, "-o", self.path("out.docx"))
+        for name in ("vtu", "vtk", "msh"):
+            self.assertIn(name, message)
+
+    def test_standard_output_needs_a_format(self):
+        surface = self.write("in.off", off(ellipsoid(2)))
+        self.assertIn("--format", self.fail_with_one_line(2, "refine", surface, "-o", "-"))
+
+
+if __name__ == "__main__":
+    unittest.main()

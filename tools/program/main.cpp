@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+//
+// The program `sinkmesh`: parses the command line, calls the library, prints.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "predicates/self_test.h"
+#include "tools/io/file_error.h"
+#include "tools/program/delaunay_command.h"
+#include "tools/program/exit_status.h"
+#include "tools/program/inspect_command.h"
+#include "tools/program/refine_command.h"
+#include "tools/program/text.h"
+
+namespace sinkmesh::program {
+namespace {
+
+// Errors of the command-line library can have several lines.
+std::string one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  for (char& c : text) {
+    if (c == '\n') c = ' ';
+  }
+  return text;
+}
+
+ExitStatus fail(ExitStatus status, const std::string& line) {
+  print(one_line(line) + "\n", true);
+  return status;
+}
+
+ExitStatus wrong_usage(const CLI::App* command, const std::string& message) {
+  const std::string name = command == nullptr ? "sinkmesh" : "sinkmesh " + command->get_name();
+  return fail(ExitStatus::wrong_usage, name + ": " + one_line(message) + "; see " + name + " --help");
+}
+
+// What the library throws knows nothing of files.
+template <class Arguments>
+ExitStatus run_on(const std::string& file, const Arguments& arguments) {
+  const std::string name = file == "-" ? "standard input" : file;
+  try {
+    return run(arguments);
+  } catch (const FileError&) {
+    throw;
+  } catch (const InputError& error) {
+    throw FileError(name, error.what());
+  } catch (const CapacityError& error) {
+    throw FileError(name, error.what());
+  } catch (const std::bad_alloc&) {
+    throw FileError(name, "not enough memory; use a smaller input, or --max-vertices");
+  }
+}
+
+ExitStatus run_program(int argc, char** argv) {
+  CLI::App program("Exact Delaunay meshes, refined by inserting sinks.", "sinkmesh");
+  program.set_version_flag("--version", "sinkmesh " SINKMESH_VERSION);
+  program.require_subcommand(0, 1);  // so that an unknown one is named
+  program.footer(
+      "Example:\n  sinkmesh refine rotor.off -o rotor.vtu\n\n"
+      "sinkmesh COMMAND --help tells more about a command.");
+  RefineArguments refine;
+  DelaunayArguments delaunay;
+  InspectArguments inspect;
+  const CLI::App* const refine_command = add_refine_command(program, refine);
+  const CLI::App* const delaunay_command = add_delaunay_command(program, delaunay);
+  const CLI::App* const inspect_command = add_inspect_command(program, inspect);
+  const auto chosen = [&]() -> const CLI::App* {
+    for (const CLI::App* command : {refine_command, delaunay_command, inspect_command}) {
+      if (command->parsed()) return command;
+    }
+    return nullptr;
+  };
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    program.exit(help);
+    print("");
+    return ExitStatus::done;
+  } catch (const CLI::ParseError& error) {
+    return wrong_usage(chosen(), error.what());
+  }
+
+  if (chosen() == nullptr) return wrong_usage(nullptr, "a command is needed: refine, delaunay or inspect");
+
+  const std::string broken = predicates_self_test();
+  if (!broken.empty()) return fail(ExitStatus::internal_error, "sinkmesh: " + broken);
+  try {
+    if (refine_command->parsed()) return run_on(refine.files.input, refine);
+    if (delaunay_command->parsed()) return run_on(delaunay.files.input, delaunay);
+    return run_on(inspect.files.input, inspect);
+  } catch (const UsageError& error) {
+    return wrong_usage(chosen(), error.what());
+  } catch (const FileError& error) {
+    return fail(ExitStatus::unusable_input, error.what());
+  }
+}
+
+ExitStatus run_guarded(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const FileError& error) {
+    return fail(ExitStatus::unusable_input, error.what());
+  } catch (const std::exception& error) {
+    return fail(ExitStatus::internal_error, std::string("sinkmesh: internal error: ") + error.what() +
+                                                "; please report it, with the command line and the input");
+  }
+}
+
+}  // namespace
+}  // namespace sinkmesh::program
+
+int main(int argc, char** argv) { return static_cast<int>(sinkmesh::program::run_guarded(argc, argv)); }

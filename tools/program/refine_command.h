@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// sinkmesh refine: from a surface to a mesh of good quality.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "tools/program/exit_status.h"
+#include "tools/program/files.h"
+
+namespace sinkmesh::program {
+
+struct RefineArguments {
+  FileArguments files;
+  double ratio = 2.0;
+  std::string insert = "sink";
+  std::string schedule = "incremental";
+  std::string fallback = "none";
+  bool literal = false;
+  unsigned threads = 1;
+  std::optional<std::size_t> max_vertices;
+  std::optional<double> time_limit;
+  std::string report;
+  std::string history;
+  bool quiet = false;
+};
+
+/// Adds the command to the program; the arguments must outlive the parsing.
+CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments);
+
+ExitStatus run(const RefineArguments& arguments);
+
+}  // namespace sinkmesh::program

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "tools/program/report.h"
+
+#include <fmt/format.h>
+
+#ifndef _WIN32
+#include <sys/resource.h>
+#endif
+
+namespace sinkmesh::program {
+
+Json begin_report(const std::string& command) {
+  return {{"program", "sinkmesh"}, {"version", SINKMESH_VERSION}, {"command", command}};
+}
+
+Json to_json(std::size_t vertices, const QualityStatistics& quality) {
+  return {
+      {"vertices", vertices},
+      {"simplices", quality.simplices()},
+      {"low_quality", quality.low_quality()},
+      {"ratio", {{"min", quality.min_ratio()}, {"avg", quality.average_ratio()}, {"max", quality.max_ratio()}}},
+      {"dihedral", {{"min", quality.min_angle()}, {"max", quality.max_angle()}}}};
+}
+
+Json histogram(const QualityStatistics& quality) {
+  Json bins = Json::array();
+  for (std::size_t i = 0; i < QualityStatistics::kBins.size(); ++i) {
+    const bool open = i + 1 == QualityStatistics::kBins.size();
+    bins.push_back(
+        {{"up_to", open ? Json() : Json(QualityStatistics::kBins[i])}, {"simplices", quality.histogram()[i]}});
+  }
+  return bins;
+}
+
+const char* name(Insert insert) { return insert == Insert::sink ? "sink" : "circumcenter"; }
+
+const char* name(Schedule schedule) {
+  switch (schedule) {
+    case Schedule::incremental:
+      return "incremental";
+    case Schedule::block:
+      return "block";
+    case Schedule::parallel:
+      return "parallel";
+  }
+  return "";
+}
+
+const char* name(Fallback fallback) { return fallback == Fallback::none ? "none" : "circumcenter"; }
+
+const char* name(Stop stop) {
+  switch (stop) {
+    case Stop::no_candidate:
+      return "no_candidate";
+    case Stop::budget:
+      return "budget";
+    case Stop::cancelled:
+      return "cancelled";
+  }
+  return "";
+}
+
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+std::uint64_t peak_memory_bytes() {
+#ifdef _WIN32
+  return 0;
+#else
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+#ifdef __APPLE__
+  return static_cast<std::uint64_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+#endif
+#endif
+}
+
+std::string to_text(const Json& report) {
+  // Names of files may be anything but UTF-8.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace sinkmesh::program

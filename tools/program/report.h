@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// The JSON object that --report writes.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "refine/quality.h"
+#include "refine/refine.h"
+
+namespace sinkmesh::program {
+
+/// Keys keep the order in which they are set. Numbers that are not finite become null.
+using Json = nlohmann::ordered_json;
+
+/// An object with "program", "version" and "command".
+Json begin_report(const std::string& command);
+
+/// { simplices low_quality ratio{min avg max} dihedral{min max} }, after the vertices.
+Json to_json(std::size_t vertices, const QualityStatistics& quality);
+/// [{ up_to, simplices }]: the bins of r/l, the last one open (null).
+Json histogram(const QualityStatistics& quality);
+
+const char* name(Insert insert);
+const char* name(Schedule schedule);
+const char* name(Fallback fallback);
+const char* name(Stop stop);
+
+/// Of the final complex, 16 hexadecimal digits.
+std::string hash_text(std::uint64_t hash);
+/// The largest amount of memory that the process has had.
+std::uint64_t peak_memory_bytes();
+
+/// The text of the file.
+std::string to_text(const Json& report);
+
+}  // namespace sinkmesh::program

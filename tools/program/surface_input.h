@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// A surface from a file, good enough to be meshed.
+#pragma once
+
+#include "refine/surface.h"
+#include "refine/surface_check.h"
+#include "tools/io/read.h"
+#include "tools/program/files.h"
+
+namespace sinkmesh::program {
+
+/// Reads the surface that a command works on.
+/// @throws FileError if the file is no surface in space (points, a mesh and a polygon have messages of their
+/// own);
+///         UsageError for a name that is no format.
+Surface3 read_surface_input(const FileArguments& files, SourceLines& lines);
+
+/// @throws FileError with the first defect of the surface, where it is in the file, and how to see all of them.
+void require_sound(const Surface3& surface, const SourceLines& lines, const std::string& path);
+
+/// Where a defect is in the file: the line of its first facet or vertex; 0 if that is not known.
+std::size_t source_line(const SurfaceDefect& defect, const SourceLines& lines);
+
+}  // namespace sinkmesh::program
