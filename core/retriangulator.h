@@ -14,15 +14,11 @@ namespace sinkmesh {
 
 /// Replaces simplices by others. Holds working memory only; keep one and reuse it.
 ///
-///        d                     d
-///       /|\                   /|\
-///      / | \                 / | \          2-3, for example: abcd and abce share the facet abc; out they go,
-///      and
-///     a--|--c    <------>   a--+--c         abde, bcde, cade come in around the new edge de. 3-2 is the way
-///     back.
-///      \ | /                 \ | /
-///       \|/                   \|/
-///        e                     e
+///         d                     d
+///       / | \                 / : \         2-3, for example: abcd and abce share the facet abc. Out they go,
+///      a--|--c    <------>   a--:--c        and abde, bcde, cade come in around the new edge de. 3-2 is the
+///       \ b /                 \ b /         way back.
+///         e                     e
 template <int Dim>
 class Retriangulator {
  public:

@@ -43,7 +43,9 @@ TEST(TwoTerms, HoldSumsDifferencesAndProductsExactly) {
     ASSERT_EQ(exact(two_diff(a, b)), mpq_class(a) - mpq_class(b));
     ASSERT_EQ(exact(two_product(a, b)), mpq_class(a) * mpq_class(b));
     ASSERT_EQ(two_sum(a, b).head, a + b);
-    if (std::abs(a) >= std::abs(b)) ASSERT_EQ(exact(fast_two_sum(a, b)), mpq_class(a) + mpq_class(b));
+    if (std::abs(a) >= std::abs(b)) {
+      ASSERT_EQ(exact(fast_two_sum(a, b)), mpq_class(a) + mpq_class(b));
+    }
   }
 }
 
@@ -82,12 +84,15 @@ TEST(Expansion, IsARing) {
       ASSERT_EQ(exact(x), q);
       ASSERT_EQ(x.sign(), sgn(q));
       expect_invariant(x);
+      // Every y is a multiple of 2^-132: after more steps the square would have bits below 2^-1074.
+      if (step == 3) {
+        const mpq_class square = q * q;
+        ASSERT_EQ(exact(x * x), square);
+      }
     }
     ASSERT_EQ((x - x).sign(), 0);
     ASSERT_TRUE((x - x).terms().empty());
     ASSERT_EQ((x * Expansion()).sign(), 0);
-    const mpq_class square = q * q;
-    ASSERT_EQ(exact(x * x), square);
   }
 }
 
@@ -178,11 +183,15 @@ TEST(ToInteger, AcceptsExactlyTheIntegers) {
     const bool integral = std::trunc(x) == x;
     Int128 wide = 0;
     ASSERT_EQ(to_integer(x, wide), integral) << x;
-    if (integral) ASSERT_EQ(exact(FixedInt<123>(wide)), mpz_class(x));
+    if (integral) {
+      ASSERT_EQ(exact(FixedInt<123>(wide)), mpz_class(x));
+    }
     if (std::abs(x) >= 0x1p62) continue;
     std::int64_t narrow = 0;
     ASSERT_EQ(to_integer(x, narrow), integral) << x;
-    if (integral) ASSERT_EQ(static_cast<double>(narrow), x);
+    if (integral) {
+      ASSERT_EQ(static_cast<double>(narrow), x);
+    }
   }
 }
 

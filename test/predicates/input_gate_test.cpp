@@ -100,7 +100,9 @@ TEST(InputGate, RoundsAgainstGmp) {
     ASSERT_EQ(std::trunc(units), units);
     const double error = std::abs(std::ldexp(x, kGridBits) - units);  // exact: x 2^121 has few bits above 2^-62
     ASSERT_LE(error, 0.5);
-    if (error == 0.5) ASSERT_EQ(std::remainder(units, 2), 0);
+    if (error == 0.5) {
+      ASSERT_EQ(std::remainder(units, 2), 0);
+    }
   }
 }
 

@@ -88,7 +88,7 @@ TEST(MeshCheck, CountsOfASingleSimplex) {
 TEST(MeshCheck, RegularTetrahedronIsASink) {
   Mesh3 mesh;
   mesh.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-  mesh.simplices = {{0, 1, 2, 3}};
+  mesh.simplices = {{0, 2, 1, 3}};
   const auto check = check_mesh(mesh);
   EXPECT_TRUE(check.ok());
   EXPECT_EQ(check.sinks, 1U);
