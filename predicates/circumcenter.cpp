@@ -40,8 +40,7 @@ struct FromFirstCorner<3> {
   }
 };
 
-// ------------------------------------------------------------------------------------------- the certified
-// quotient
+// -------------------------------------------------------------------------------------- the certified quotient
 
 /// x in two doubles; relative error at most 2^-104: of |x| = T 2^e + rest, with 2^127 <= T < 2^128, the upper
 /// 106 bits of T are kept, and 2^22 + 1 <= 2^-104 T.
@@ -95,8 +94,7 @@ CenterResult certified_sum(double base, const TwoTerms& q, double& result) {
   return CenterResult::kInside;
 }
 
-// ------------------------------------------------------------------------------------------------- the long
-// division
+// ------------------------------------------------------------------------------------------- the long division
 
 /// A natural number below 2^(64 N).
 template <std::size_t N>
