@@ -55,6 +55,7 @@ class SurfaceMesher {
   struct State;
   std::unique_ptr<State> state_;
 };
+using SurfaceMesher2 = SurfaceMesher<2>;
 using SurfaceMesher3 = SurfaceMesher<3>;
 
 /// The solid simplices of a triangulation as plain arrays, in the units of the input; the boundary is its hull.

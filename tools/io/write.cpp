@@ -125,6 +125,9 @@ std::string encode_mesh(const Mesh<Dim>& mesh, Format format) {
       return io_detail::encode_msh41(mesh);
     case Format::msh2:
       return io_detail::encode_msh22(mesh);
+    case Format::svg:
+      if constexpr (Dim == 2) return io_detail::encode_svg(mesh);
+      [[fallthrough]];  // refused before: it holds no mesh in space
     default:
       return io_detail::encode_vtu(mesh);
   }

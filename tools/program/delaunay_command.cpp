@@ -62,7 +62,7 @@ class DelaunayRun {
                        {"duplicates", triangulation.duplicates().size()},
                        {"rounded_points", triangulation.gate().rounded_points()}};
     report["options"] = {{"engine", arguments_.engine}};
-    report["final"] = to_json(points - triangulation.duplicates().size(), quality_);
+    report["final"] = to_json(Dim, points - triangulation.duplicates().size(), quality_);
     report["final"]["hull_facets"] = triangulation.num_ghosts();
     report["hash"] = hash_text(triangulation.hash());
     Json seconds;
