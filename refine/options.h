@@ -58,7 +58,7 @@ struct RefineOptions {
   double max_ratio = 2.0;
   Insert insert = Insert::sink;
   Schedule schedule = Schedule::incremental;
-  /// Parallel only: the paper's own rounds, which compute the prestar of every candidate before they choose.
+  /// Block and parallel: the paper's own rounds, which test the prestar of every candidate before they choose.
   /// The mesh is the same; the counts show what the pruned rounds save.
   bool literal = false;
   Fallback fallback = Fallback::none;

@@ -16,8 +16,8 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
     throw InputError("max_ratio is " + std::to_string(options.max_ratio) +
                      ": it must be at least 1, or refinement need not end");
   }
-  if (options.literal && options.schedule != Schedule::parallel) {
-    throw InputError("literal rounds exist in the parallel schedule only");
+  if (options.literal && options.schedule == Schedule::incremental) {
+    throw InputError("literal rounds exist in the block and parallel schedules only");
   }
 }
 

@@ -24,8 +24,8 @@ namespace sinkmesh {
 template <int Dim>
 class Refiner {
  public:
-  /// @throws InputError if max_ratio is below 1 or not a number, if `literal` is asked of another schedule than
-  ///         `parallel`, or if the input is at the resolution of doubles (SteinerInserter).
+  /// @throws InputError if max_ratio is below 1 or not a number, if `literal` is asked of the incremental
+  ///         schedule, or if the input is at the resolution of doubles (SteinerInserter).
   Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
           const RefineOptions& options);
 
@@ -50,7 +50,7 @@ class Refiner {
   std::vector<Candidate<Dim>> collect(bool own_centers);
   void insert_block(const std::vector<Candidate<Dim>>& candidates);
   void insert_independent(const std::vector<Candidate<Dim>>& candidates);
-  void insert_independent_literally(const std::vector<Candidate<Dim>>& candidates);
+  void insert_literally(const std::vector<Candidate<Dim>>& candidates);
   bool is_taken(Vertex v) const { return v.slot() < taken_.size() && taken_[v.slot()] == result_.rounds; }
   void take(Vertex v);
 

@@ -7,6 +7,14 @@
 #include "refine/sphere_set.h"
 
 namespace sinkmesh {
+namespace {
+
+template <int Dim>
+typename SphereSet<Dim>::Sphere sphere_of(const Candidate<Dim>& candidate) {
+  return {candidate.corners, candidate.center, candidate.radius2};
+}
+
+}  // namespace
 
 // A round without an insertion has rejected all its candidates for as long as their simplices live, and nothing
 // has changed: there is no candidate left, unless the fallback has some.
@@ -18,10 +26,10 @@ void Refiner<Dim>::run_rounds() {
     const std::vector<Candidate<Dim>> candidates = collect(own_centers);
     if (!candidates.empty()) {
       begin_round();
-      if (options_.schedule == Schedule::block) {
+      if (options_.literal) {
+        insert_literally(candidates);
+      } else if (options_.schedule == Schedule::block) {
         insert_block(candidates);
-      } else if (options_.literal) {
-        insert_independent_literally(candidates);
       } else {
         insert_independent(candidates);
       }
@@ -76,7 +84,7 @@ void Refiner<Dim>::insert_block(const std::vector<Candidate<Dim>>& candidates) {
   for (const Candidate<Dim>& candidate : candidates) {
     if (!may_continue()) return;
     ++round_.candidates;
-    const typename SphereSet<Dim>::Sphere sphere{candidate.corners, candidate.center, candidate.radius2};
+    const typename SphereSet<Dim>::Sphere sphere = sphere_of(candidate);
     if (!block.is_orthogonal_to_all(sphere)) {
       ++dependent_;
     } else if (inserter_.insert(candidate) == Verdict::inserted) {
@@ -116,30 +124,37 @@ void Refiner<Dim>::insert_independent(const std::vector<Candidate<Dim>>& candida
 // The paper's round: first the prestar and the boundary test of every candidate, then the choice, then the
 // insertions.
 template <int Dim>
-void Refiner<Dim>::insert_independent_literally(const std::vector<Candidate<Dim>>& candidates) {
-  std::vector<const Candidate<Dim>*> chosen;
+void Refiner<Dim>::insert_literally(const std::vector<Candidate<Dim>>& candidates) {
+  struct Passed {
+    const Candidate<Dim>* candidate;
+    std::vector<Vertex> closure;  // of the prestar
+  };
+  std::vector<Passed> passed;
   std::vector<Vertex> closure;
-  std::vector<std::size_t> first_vertex{0};
-  std::vector<Vertex> closures;
-  std::vector<const Candidate<Dim>*> passed;
   for (const Candidate<Dim>& candidate : candidates) {
     if (!may_continue()) return;
     ++round_.candidates;
-    if (inserter_.test(candidate, closure) != Verdict::inserted) continue;
-    passed.push_back(&candidate);
-    closures.insert(closures.end(), closure.begin(), closure.end());
-    first_vertex.push_back(closures.size());
+    if (inserter_.test(candidate, closure) == Verdict::inserted) passed.push_back({&candidate, closure});
   }
   round_.passed_boundary = passed.size();
-  for (std::size_t i = 0; i < passed.size(); ++i) {
-    const auto begin = closures.begin() + static_cast<std::ptrdiff_t>(first_vertex[i]);
-    const auto end = closures.begin() + static_cast<std::ptrdiff_t>(first_vertex[i + 1]);
-    if (std::any_of(begin, end, [this](Vertex v) { return is_taken(v); })) {
+
+  SphereSet<Dim> block(inserter_.triangulation().predicates());
+  const auto admits = [&](const Passed& p) {
+    if (options_.schedule == Schedule::block) return block.is_orthogonal_to_all(sphere_of(*p.candidate));
+    return std::none_of(p.closure.begin(), p.closure.end(), [this](Vertex v) { return is_taken(v); });
+  };
+  std::vector<const Candidate<Dim>*> chosen;
+  for (const Passed& p : passed) {
+    if (!admits(p)) {
       ++dependent_;
       continue;
     }
-    std::for_each(begin, end, [this](Vertex v) { take(v); });
-    chosen.push_back(passed[i]);
+    if (options_.schedule == Schedule::block) {
+      block.add(sphere_of(*p.candidate));
+    } else {
+      std::for_each(p.closure.begin(), p.closure.end(), [this](Vertex v) { take(v); });
+    }
+    chosen.push_back(p.candidate);
   }
   for (const Candidate<Dim>* candidate : chosen) {
     if (!may_continue()) return;

@@ -187,11 +187,13 @@ TEST(Refiner, LiteralRoundsGiveTheSameMeshAndThePapersCounts) {
 
 // With the boundary in the way many verdicts are cached; the literal rounds recompute them all.
 TEST(Refiner, CachedVerdictsAreThoseOfTheLiteralRounds) {
-  for (const Insert insert : {Insert::sink, Insert::circumcenter}) {
-    const Surface3 surface = test::ellipsoid_surface(3, {1, 0.9, 0.35}, 5e-3);
+  const Surface3 surface = test::ellipsoid_surface(3, {1, 0.9, 0.35}, 5e-3);
+  for (const auto& [insert, schedule] :
+       {std::pair(Insert::sink, Schedule::parallel), std::pair(Insert::circumcenter, Schedule::parallel),
+        std::pair(Insert::sink, Schedule::block), std::pair(Insert::circumcenter, Schedule::block)}) {
     RefineOptions options;
     options.insert = insert;
-    options.schedule = Schedule::parallel;
+    options.schedule = schedule;
     options.max_ratio = 1;
     std::vector<std::uint64_t> hashes;
     for (const bool literal : {false, true}) {

@@ -48,8 +48,9 @@ class Plane(ProgramTest):
                 self.assertEqual(report["final"]["low_quality"], report["remaining"]["total"])
                 self.assertLess(report["final"]["low_quality"], 0.1 * report["final"]["simplices"])
                 hashes[insert, schedule] = report["hash"]
-            literal = self.refine(str(USA), "--ratio", "1", "--insert", insert, "--schedule", "parallel", "--literal")
-            self.assertEqual(literal["hash"], hashes[insert, "parallel"])
+            for schedule in ("block", "parallel"):
+                literal = self.refine(str(USA), "--ratio", "1", "--insert", insert, "--schedule", schedule, "--literal")
+                self.assertEqual(literal["hash"], hashes[insert, schedule])
         self.assertEqual(len(set(hashes.values())), 6)
 
     def test_each_sink_adds_two_triangles(self):

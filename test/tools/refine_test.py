@@ -83,8 +83,9 @@ class Refine(ProgramTest):
                 self.assertTrue(self.inspect(out)["delaunay"])
 
     def test_literal_rounds_give_the_same_mesh(self):
-        arguments = [self.input, "-o", self.path("out.vtu"), "--schedule", "parallel"]
-        self.assertEqual(self.hash_of(*arguments), self.hash_of(*arguments, "--literal"))
+        for schedule in ("block", "parallel"):
+            arguments = [self.input, "-o", self.path("out.vtu"), "--schedule", schedule]
+            self.assertEqual(self.hash_of(*arguments), self.hash_of(*arguments, "--literal"))
 
     def test_the_order_of_the_input_does_not_matter(self):
         other = self.write("shuffled.off", off(shuffled(self.surface, seed=3)))

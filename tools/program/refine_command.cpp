@@ -224,7 +224,7 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
       ->capture_default_str();
   command->add_flag(
       "--literal", arguments.literal,
-      "With --schedule parallel: rounds as published, without pruning; the same mesh, more slowly");
+      "With --schedule block or parallel: rounds as published, without pruning; the same mesh, more slowly");
   command->add_option("--fallback", arguments.fallback, "What to do where no sink can be inserted")
       ->check(CLI::IsMember({"none", "circumcenter"}))
       ->capture_default_str();
@@ -249,8 +249,8 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
 }
 
 ExitStatus run(const RefineArguments& arguments) {
-  if (arguments.literal && arguments.schedule != "parallel") {
-    throw UsageError("--literal goes with --schedule parallel only");
+  if (arguments.literal && arguments.schedule == "incremental") {
+    throw UsageError("--literal goes with --schedule block or parallel only");
   }
   if (surface_dimension(arguments.files) == 2) return RefineRun<2>(arguments).run();
   return RefineRun<3>(arguments).run();
