@@ -47,8 +47,8 @@ class Complex {
 
   /// The corners of facet i, in the order in which they are counterclockwise seen from outside the simplex.
   /// With the apex in front they give the simplex again, positively oriented: (i, kFacet[i][0], ...) is an even
-  /// permutation. Corner Dim, the place of infinity, is never moved except in facet Dim, which does not contain
-  /// it.
+  /// permutation. In space corner Dim, the place of infinity, comes last in every facet that has it; in the
+  /// plane facet 1 has it first.
   static constexpr std::array<std::array<std::uint8_t, Dim>, kCorners> kFacet = [] {
     if constexpr (Dim == 2) {
       return std::array<std::array<std::uint8_t, 2>, 3>{{{1, 2}, {2, 0}, {0, 1}}};
