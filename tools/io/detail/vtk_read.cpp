@@ -67,11 +67,7 @@ class VtkReader {
   }
 
  private:
-  // After binary data the line number means nothing.
-  [[noreturn]] void fail(const std::string& message) const {
-    if (is_binary_) throw FileError::at_byte(source_.file, text_.offset(), message);
-    text_.fail(message);
-  }
+  [[noreturn]] void fail(const std::string& message) const { text_.fail(message); }
 
   void head() {
     if (!text_.rest_of_line().starts_with("# vtk DataFile Version")) {
