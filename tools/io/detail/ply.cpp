@@ -4,7 +4,6 @@
 // What is neither a coordinate nor a facet's list of vertices is passed over.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -222,7 +221,9 @@ template <class Body>
 class BodyReader {
  public:
   BodyReader(Body body, const Header& header, SourceLines* lines)
-      : body_(body), header_(header), lines_(lines) {}
+      : body_(body), header_(header), lines_(lines) {
+    for (const Element& element : header_.elements) num_points_ += element.name == "vertex" ? element.count : 0;
+  }
 
   Surface3 read() {
     for (const Element& element : header_.elements) {
@@ -239,7 +240,6 @@ class BodyReader {
     if (!body_.at_end()) {
       body_.fail("the file goes on after the elements that its header announces: correct the counts");
     }
-    check_facets();
     return std::move(surface_);
   }
 
@@ -319,23 +319,13 @@ class BodyReader {
     Surface3::Facet result{};
     for (std::uint32_t& corner : result) {
       const std::int64_t index = body_.integer(property.type);
-      if (index < 0 || index > std::numeric_limits<std::uint32_t>::max()) fail_index(id, index);
+      if (index < 0 || static_cast<std::uint64_t>(index) >= num_points_) {
+        body_.fail(concat("facet ", id, " uses vertex ", index, ", which does not exist: the file has ",
+                          num_points_, " vertices, counted from 0; correct the index"));
+      }
       corner = static_cast<std::uint32_t>(index);
     }
     return result;
-  }
-
-  // The vertices may come after the faces.
-  void check_facets() {
-    for (std::size_t i = 0; i < surface_.facets.size(); ++i) {
-      for (const std::uint32_t v : surface_.facets[i]) {
-        if (v >= surface_.points.size()) fail_index(i, v);
-      }
-    }
-  }
-  [[noreturn]] void fail_index(std::size_t facet, std::int64_t index) {
-    body_.fail(concat("facet ", facet, " uses vertex ", index, ", which does not exist: the file has ",
-                      surface_.points.size(), " vertices, counted from 0; correct the index"));
   }
 
   void note_line(std::vector<std::size_t> SourceLines::*which) {
@@ -346,6 +336,7 @@ class BodyReader {
   Body body_;
   const Header& header_;
   SourceLines* lines_;
+  std::size_t num_points_ = 0;  // of the header: the vertices may come after the faces
   Surface3 surface_;
 };
 
