@@ -97,7 +97,7 @@ inline std::string text_ply(const Surface3&) {
          "0 0 0 255\n1 0 0 255\n0 1.5 0 255\n-0.25 0 1 255\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 }
 
-/// With a property before the coordinates, an element that is passed over, and a list beside that of the corners.
+/// With a property before the coordinates, an element to be passed over, and two lists in each face.
 inline std::string binary_ply(const Surface3& surface, std::endian order) {
   Bytes out(order);
   out.text(order == std::endian::little ? "ply\nformat binary_little_endian 1.0\n"
