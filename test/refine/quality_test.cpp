@@ -70,8 +70,8 @@ TEST(Quality, AnglesOfKnownSimplices) {
   const std::array<Point3, 4> corner = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   EXPECT_NEAR(angles<3>(pointers<3>(corner)).max, 90, 1e-12);
   EXPECT_NEAR(angles<3>(pointers<3>(corner)).min, std::acos(1 / std::sqrt(3.0)) * 180 / M_PI, 1e-12);
-  // A sliver: the corners of a square, two of them lifted by h, two lowered. Its facets have slopes of 2h, in directions
-  // at right angles, so they meet at 2 sqrt(2) h along the sides.
+  // A sliver: the corners of a square, two of them lifted by h, two lowered. Its facets have slopes of 2h, in
+  // directions at right angles, so they meet at 2 sqrt(2) h along the sides.
   const double h = 1e-9;
   const std::array<Point3, 4> sliver = {{{1, 0, h}, {-1, 0, h}, {0, 1, -h}, {0, -1, -h}}};
   EXPECT_NEAR(angles<3>(pointers<3>(sliver)).min / (2 * std::sqrt(2.0) * h * 180 / M_PI), 1, 1e-6);

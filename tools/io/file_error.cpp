@@ -15,13 +15,19 @@ constexpr std::size_t kPathLimit = 4096;
 
 std::string printable_path(std::string_view file) { return printable(file, kPathLimit); }
 
+// Words of the file should have been made printable, and cut, where they were put into the message; here it is
+// made sure.
+std::string printable_line(std::string_view message) { return printable(message, kPathLimit); }
+
 }  // namespace
 
 FileError::FileError(std::string_view file, std::string_view message)
-    : InputError(concat(printable_path(file), ": ", message)), file_(file) {}
+    : InputError(concat(printable_path(file), ": ", printable_line(message))), file_(file) {}
 
 FileError::FileError(std::string_view file, std::size_t line, std::string_view message)
-    : InputError(concat(printable_path(file), ":", line, ": ", message)), file_(file), line_(line) {}
+    : InputError(concat(printable_path(file), ":", line, ": ", printable_line(message))),
+      file_(file),
+      line_(line) {}
 
 FileError FileError::at_byte(std::string_view file, std::size_t offset, std::string_view message) {
   return {file, concat("at byte ", offset, ": ", message)};

@@ -170,7 +170,7 @@ std::vector<Point<Dim>> read_points(const std::string& path, const ReadOptions& 
     default:
       points = decode_surface<Dim>(input, path, options.lines).points;
   }
-  if (points.empty()) throw FileError(input.file, "the file holds no point");
+  if (points.empty()) throw FileError(input.file, "the file holds no point: at least one is needed");
   return points;
 }
 

@@ -97,6 +97,16 @@ std::string read_all(std::FILE* stream, const std::string& name, std::size_t exp
   return bytes;
 }
 
+// Where symbolic links lead, also if nothing is there yet: canonical() stops before such a link.
+fs::path followed(fs::path path) {
+  constexpr int kMostLinks = 40;  // as the system has it; a circle then fails when it is opened
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return path;
+}
+
 std::string input_name(const std::string& path) { return is_standard_stream(path) ? "standard input" : path; }
 std::string output_name(const std::string& path) { return is_standard_stream(path) ? "standard output" : path; }
 
@@ -133,7 +143,7 @@ OutputFile::OutputFile(const std::string& path) : name_(output_name(path)) {
     return;
   }
   std::error_code error;
-  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
+  const fs::path target = followed(path);
   target_ = target.string();
   const fs::file_status status = fs::status(target, error);
   if (fs::is_directory(status)) fail("cannot write it", EISDIR);

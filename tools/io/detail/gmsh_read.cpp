@@ -112,7 +112,7 @@ class GmshReader {
       skip_section(end);
       return;
     }
-    const std::string_view found = text_.word(end.c_str());
+    const std::string_view found = text_.word(printable(end).c_str());
     if (found != end) {
       text_.fail(concat("'", printable(found), "' stands where ", end,
                         " was expected: correct the counts of the section"));
@@ -124,7 +124,7 @@ class GmshReader {
     while (!text_.at_end()) {
       if (text_.rest_of_line().starts_with(end)) return;
     }
-    text_.fail_at_end(end.c_str());
+    text_.fail_at_end(printable(end).c_str());
   }
 
   void format() {

@@ -18,7 +18,8 @@ constexpr std::string_view kPassedOver[] = {"vt",       "vn",       "vp",     "g
 
 void read_point(TextReader& text, std::size_t id, Point3& p) {
   for (double& x : p) {
-    if (text.at_line_end()) text.fail(concat("vertex ", id + 1, " has fewer than 3 coordinates"));
+    if (text.at_line_end())
+      text.fail(concat("vertex ", id + 1, " has fewer than 3 coordinates: complete the line"));
     x = text.number("a coordinate");
   }
   text.drop_line();  // a weight or a color
@@ -46,7 +47,8 @@ std::uint32_t read_corner(TextReader& text, std::size_t points_so_far) {
 Surface3::Facet read_facet(TextReader& text, std::size_t id, std::size_t points_so_far) {
   Surface3::Facet facet{};
   for (std::uint32_t& corner : facet) {
-    if (text.at_line_end()) text.fail(concat("facet ", id + 1, " has fewer than 3 vertices"));
+    if (text.at_line_end())
+      text.fail(concat("facet ", id + 1, " has fewer than 3 vertices: complete or remove it"));
     corner = read_corner(text, points_so_far);
   }
   if (!text.at_line_end()) {
@@ -67,7 +69,8 @@ Surface3 decode_obj(const Source& source) {
     const std::string_view keyword = text.word("v or f");
     if (keyword == "v") {
       lines.points.push_back(text.line());
-      read_point(text, surface.points.size(), surface.points.emplace_back());
+      const std::size_t id = surface.points.size();
+      read_point(text, id, surface.points.emplace_back());
     } else if (keyword == "f") {
       lines.facets.push_back(text.line());
       surface.facets.push_back(read_facet(text, surface.facets.size(), surface.points.size()));

@@ -4,7 +4,6 @@
 // What is neither a coordinate nor a facet's list of vertices is passed over.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -155,11 +154,28 @@ class HeaderReader {
 class TextBody {
  public:
   explicit TextBody(TextReader& text) : text_(text) {}
-  double real(Scalar) { return text_.number("a coordinate"); }
-  std::int64_t integer(Scalar) { return text_.integer("a whole number"); }
-  void skip(Scalar) { text_.word("a property"); }
-  void skip_many(Scalar, std::uint64_t count) {
-    for (std::uint64_t i = 0; i < count; ++i) text_.word("a property");
+  double real(Scalar) {
+    stay_on_line("a coordinate");
+    return text_.number("a coordinate");
+  }
+  std::int64_t integer(Scalar) {
+    stay_on_line("a whole number");
+    return text_.integer("a whole number");
+  }
+  void skip(Scalar) {
+    stay_on_line("a property");
+    text_.word("a property");
+  }
+  void skip_many(Scalar type, std::uint64_t count) {
+    for (std::uint64_t i = 0; i < count; ++i) skip(type);
+  }
+  void start_row() {
+    if (text_.at_end()) text_.fail_at_end("a row of an element");
+  }
+  void end_row() {
+    if (text_.at_line_end()) return;
+    text_.fail(concat("'", printable(text_.peek()),
+                      "' follows after the last property of this row: correct the row, or the header"));
   }
   bool at_end() { return text_.at_end(); }
   std::size_t line() {
@@ -169,6 +185,11 @@ class TextBody {
   [[noreturn]] void fail(const std::string& message) { text_.fail(message); }
 
  private:
+  // A row is a line. Reading on in the next one would shift all that follows.
+  void stay_on_line(const char* what) {
+    if (text_.at_line_end()) text_.fail(concat("the row ends where ", what, " was expected: complete it"));
+  }
+
   TextReader& text_;
 };
 
@@ -186,6 +207,8 @@ class BinaryBody {
     if (count > in_.remaining() / size_of(type)) in_.fail_at_end("a list");
     in_.take(count * size_of(type), "a list");
   }
+  void start_row() {}
+  void end_row() {}
   bool at_end() { return in_.remaining() == 0; }
   std::size_t line() { return 0; }
   [[noreturn]] void fail(const std::string& message) { in_.fail(message); }
@@ -198,7 +221,9 @@ template <class Body>
 class BodyReader {
  public:
   BodyReader(Body body, const Header& header, SourceLines* lines)
-      : body_(body), header_(header), lines_(lines) {}
+      : body_(body), header_(header), lines_(lines) {
+    for (const Element& element : header_.elements) num_points_ += element.name == "vertex" ? element.count : 0;
+  }
 
   Surface3 read() {
     for (const Element& element : header_.elements) {
@@ -215,7 +240,6 @@ class BodyReader {
     if (!body_.at_end()) {
       body_.fail("the file goes on after the elements that its header announces: correct the counts");
     }
-    check_facets();
     return std::move(surface_);
   }
 
@@ -228,7 +252,9 @@ class BodyReader {
     }
   }
   void skip_row(const Element& element) {
+    body_.start_row();
     for (const Property& property : element.properties) skip_property(property);
+    body_.end_row();
   }
   std::uint64_t list_length(const Property& property) {
     const std::int64_t length = body_.integer(*property.length);
@@ -248,6 +274,7 @@ class BodyReader {
     }
     surface_.points.reserve(element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
+      body_.start_row();
       note_line(&SourceLines::points);
       Point3& p = surface_.points.emplace_back();
       for (std::size_t j = 0; j < coordinate.size(); ++j) {
@@ -257,6 +284,7 @@ class BodyReader {
           p[static_cast<std::size_t>(coordinate[j])] = body_.real(element.properties[j].type);
         }
       }
+      body_.end_row();
     }
   }
 
@@ -269,6 +297,7 @@ class BodyReader {
     }
     surface_.facets.reserve(element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
+      body_.start_row();
       note_line(&SourceLines::facets);
       for (std::size_t j = 0; j < element.properties.size(); ++j) {
         if (j == list) {
@@ -277,6 +306,7 @@ class BodyReader {
           skip_property(element.properties[j]);
         }
       }
+      body_.end_row();
     }
   }
 
@@ -289,23 +319,13 @@ class BodyReader {
     Surface3::Facet result{};
     for (std::uint32_t& corner : result) {
       const std::int64_t index = body_.integer(property.type);
-      if (index < 0 || index > std::numeric_limits<std::uint32_t>::max()) fail_index(id, index);
+      if (index < 0 || static_cast<std::uint64_t>(index) >= num_points_) {
+        body_.fail(concat("facet ", id, " uses vertex ", index, ", which does not exist: the file has ",
+                          num_points_, " vertices, counted from 0; correct the index"));
+      }
       corner = static_cast<std::uint32_t>(index);
     }
     return result;
-  }
-
-  // The vertices may come after the faces.
-  void check_facets() {
-    for (std::size_t i = 0; i < surface_.facets.size(); ++i) {
-      for (const std::uint32_t v : surface_.facets[i]) {
-        if (v >= surface_.points.size()) fail_index(i, v);
-      }
-    }
-  }
-  [[noreturn]] void fail_index(std::size_t facet, std::int64_t index) {
-    body_.fail(concat("facet ", facet, " uses vertex ", index, ", which does not exist: the file has ",
-                      surface_.points.size(), " vertices, counted from 0; correct the index"));
   }
 
   void note_line(std::vector<std::size_t> SourceLines::*which) {
@@ -316,6 +336,7 @@ class BodyReader {
   Body body_;
   const Header& header_;
   SourceLines* lines_;
+  std::size_t num_points_ = 0;  // of the header: the vertices may come after the faces
   Surface3 surface_;
 };
 

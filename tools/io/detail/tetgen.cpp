@@ -34,6 +34,27 @@ void read_row_number(TextReader& text, std::int64_t first, std::size_t i) {
   }
 }
 
+// Rows are lines: reading on in the next one would shift all that follows.
+void stay_on_line(TextReader& text, const char* what) {
+  if (text.at_line_end()) text.fail(concat("the row ends where ", what, " was expected: complete it"));
+}
+
+double read_number(TextReader& text, const char* what) {
+  stay_on_line(text, what);
+  return text.number(what);
+}
+
+std::uint32_t read_index(TextReader& text, std::size_t size, std::int64_t first) {
+  stay_on_line(text, "the number of a point");
+  return text.index(size, first, "point");
+}
+
+void end_row(TextReader& text) {
+  if (text.at_line_end()) return;
+  text.fail(concat("'", printable(text.peek()),
+                   "' follows after the last column of this row: correct the row, or the counts"));
+}
+
 std::int64_t read_first_number(TextReader& text, std::size_t rows) {
   if (rows == 0 || text.at_end()) return 0;
   const std::string_view word = text.peek();
@@ -69,8 +90,9 @@ NodeFile<Dim> read_nodes(TextReader& text, const NodeCounts& counts, SourceLines
   for (std::size_t i = 0; i < counts.points; ++i) {
     read_row_number(text, result.first, i);
     if (lines != nullptr) lines->points.push_back(text.line());
-    for (double& x : result.points[i]) x = text.number("a coordinate");
-    for (std::int64_t k = 0; k < counts.columns; ++k) text.number("an attribute");
+    for (double& x : result.points[i]) x = read_number(text, "a coordinate");
+    for (std::int64_t k = 0; k < counts.columns; ++k) read_number(text, "an attribute");
+    end_row(text);
   }
   return result;
 }
@@ -114,12 +136,13 @@ void decode_ele(const Source& source, std::int64_t first, Mesh<Dim>& mesh) {
   mesh.simplices.resize(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     read_row_number(text, first_row, i);
-    for (std::uint32_t& v : mesh.simplices[i]) v = text.index(mesh.points.size(), first, "point");
+    for (std::uint32_t& v : mesh.simplices[i]) v = read_index(text, mesh.points.size(), first);
     for (std::size_t k = 0; k < columns; ++k) {
-      const double value = text.number("an attribute");
+      const double value = read_number(text, "an attribute");
       whole[k] = whole[k] && is_whole(value);
       values[k].push_back(whole[k] ? static_cast<std::int64_t>(value) : 0);
     }
+    end_row(text);
   }
   check_end(text);
   for (std::size_t k = 0; k < columns; ++k) {
@@ -136,7 +159,7 @@ void decode_face(const Source& source, std::int64_t first, Mesh<Dim>& mesh) {
   mesh.boundary.resize(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     read_row_number(text, first_row, i);
-    for (std::uint32_t& v : mesh.boundary[i]) v = text.index(mesh.points.size(), first, "point");
+    for (std::uint32_t& v : mesh.boundary[i]) v = read_index(text, mesh.points.size(), first);
     text.drop_line();  // markers and neighbors
   }
   check_end(text);
@@ -161,8 +184,8 @@ Surface2 decode_poly(const Source& source, const std::optional<Source>& nodes) {
   for (std::size_t i = 0; i < surface.facets.size(); ++i) {
     read_row_number(text, first_row, i);
     if (source.lines != nullptr) source.lines->facets.push_back(text.line());
-    for (std::uint32_t& v : surface.facets[i]) v = text.index(surface.points.size(), node_file.first, "point");
-    for (std::int64_t k = 0; k < markers; ++k) text.number("a marker");
+    for (std::uint32_t& v : surface.facets[i]) v = read_index(text, surface.points.size(), node_file.first);
+    for (std::int64_t k = 0; k < markers; ++k) read_number(text, "a marker");
   }
   // Holes and regions follow; what is inside is decided by parity here.
   return surface;

@@ -74,7 +74,7 @@ void TextReader::fail_at_end(const char* what) const {
 std::string_view TextReader::peek() {
   skip_space();
   const char* last = at_;
-  while (last != end_ && !is_blank(*last) && !is_line_end(*last)) ++last;
+  while (last != end_ && !is_blank(*last) && !is_line_end(*last) && !is_comment(*last)) ++last;
   return {at_, static_cast<std::size_t>(last - at_)};
 }
 

@@ -52,8 +52,12 @@ class TextReader {
     ++at_;
     return true;
   }
-  /// Continues `count` bytes further on; not a line's worth of text. Requires count <= remaining().
-  void skip_bytes(std::size_t count) { at_ += count; }
+  /// Continues `count` bytes further on, which are no text: from here on failures name the byte, not the line.
+  /// Requires count <= remaining().
+  void skip_bytes(std::size_t count) {
+    at_ += count;
+    has_lines_ = false;
+  }
 
   /// The next word, on this line or a later one.
   std::string_view word(const char* what);
@@ -70,16 +74,21 @@ class TextReader {
   /// An index in [base, base + size), made 0-based. `what` as in "facet 7 uses vertex 9": "vertex".
   std::uint32_t index(std::size_t size, std::int64_t base, const char* what);
 
-  [[noreturn]] void fail(const std::string& message) const { throw FileError(file_, line_, message); }
+  [[noreturn]] void fail(const std::string& message) const {
+    if (!has_lines_) throw FileError::at_byte(file_, offset(), message);
+    throw FileError(file_, line_, message);
+  }
   /// The end of the text came where `what` was expected.
   [[noreturn]] void fail_at_end(const char* what) const;
 
  private:
   static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-  /// What may follow a number: commas and semicolons are the business of the caller.
-  static bool ends_number(char c) { return is_blank(c) || is_line_end(c) || c == ',' || c == ';'; }
   bool is_comment(char c) const { return c == comment_ && comment_ != kNoComment; }
+  /// What may follow a number: commas and semicolons are the business of the caller.
+  bool ends_number(char c) const {
+    return is_blank(c) || is_line_end(c) || c == ',' || c == ';' || is_comment(c);
+  }
 
   void skip_blanks() {
     while (at_ != end_ && is_blank(*at_)) ++at_;
@@ -95,6 +104,7 @@ class TextReader {
   const char* end_;
   std::size_t line_;
   char comment_;
+  bool has_lines_ = true;
 };
 
 }  // namespace sinkmesh::io_detail

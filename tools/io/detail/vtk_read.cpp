@@ -67,11 +67,7 @@ class VtkReader {
   }
 
  private:
-  // After binary data the line number means nothing.
-  [[noreturn]] void fail(const std::string& message) const {
-    if (is_binary_) throw FileError::at_byte(source_.file, text_.offset(), message);
-    text_.fail(message);
-  }
+  [[noreturn]] void fail(const std::string& message) const { text_.fail(message); }
 
   void head() {
     if (!text_.rest_of_line().starts_with("# vtk DataFile Version")) {
@@ -112,8 +108,11 @@ class VtkReader {
     // In text the last value may lack its line end.
     const std::size_t room = text_.remaining() + (is_binary_ ? 0 : 1);
     if (count > room / bytes_each) {
-      fail(concat(count, " values are announced, more than the ", text_.remaining(),
-                  " bytes that follow can hold: the file is truncated, or the count is wrong"));
+      const std::string message =
+          concat(count, " values are announced, more than the ", text_.remaining(),
+                 " bytes that follow can hold: the file is truncated, or the count is wrong");
+      if (is_binary_) throw FileError::at_byte(source_.file, text_.offset(), message);
+      fail(message);
     }
   }
   template <class Number>

@@ -72,12 +72,15 @@ class VtuFile {
   }
 
   [[noreturn]] void fail(const XmlTag& tag, const std::string& message) const {
-    const auto end = source_.bytes.begin() + static_cast<std::ptrdiff_t>(tag.offset);
-    const auto line = 1 + std::count(source_.bytes.begin(), end, '\n');
-    throw FileError(source_.file, static_cast<std::size_t>(line), message);
+    throw FileError(source_.file, line_of(tag.offset), message);
   }
 
  private:
+  std::size_t line_of(std::size_t offset) const {
+    const std::string_view before = source_.bytes.substr(0, offset);
+    return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+  }
+
   // Notes the arrays of each section. The appended data are no XML, so the scan ends where they begin.
   void scan() {
     XmlScanner scanner(source_.bytes);
@@ -134,9 +137,8 @@ class VtuFile {
 
   template <class Number>
   std::vector<Number> numbers_in_text(const XmlTag& array) const {
-    const auto end = source_.bytes.begin() + static_cast<std::ptrdiff_t>(array.offset);
-    const auto line = static_cast<std::size_t>(1 + std::count(source_.bytes.begin(), end, '\n'));
-    TextReader text(array.content, source_.file, TextReader::kNoComment, line);
+    const auto start = static_cast<std::size_t>(array.content.data() - source_.bytes.data());
+    TextReader text(array.content, source_.file, TextReader::kNoComment, line_of(start));
     std::vector<Number> result;
     while (!text.at_end()) {
       if constexpr (std::is_same_v<Number, double>) {
