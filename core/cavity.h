@@ -50,7 +50,7 @@ class Cavity {
   /// Finds the simplices in conflict with x that can be reached from `start` through shared facets: the prestar
   /// is connected [EG01, 4.1], so without walls these are all of it.
   ///
-  /// @param start    a simplex in conflict with x (not checked).
+  /// @param start  a simplex in conflict with x (not checked).
   /// @param guide  is asked at every step; see FreeGuide.
   /// @return false if the guide gave up: the complex is then as before, and the cavity holds what was found.
   ///

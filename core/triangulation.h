@@ -37,8 +37,7 @@ enum class Engine : std::uint8_t {
 /// Invariants, checked by validate(), besides those of Complex:
 ///   D1  every solid simplex has positive volume;
 ///   D2  no simplex is in conflict with the apex of a neighbour, which makes the whole triangulation Delaunay
-///   and the
-///       hull convex [PS, 2a].
+///       and the hull convex [PS, 2a].
 template <int Dim>
 class Triangulation {
  public:

@@ -19,8 +19,7 @@ namespace sinkmesh {
 namespace detail {
 namespace {
 
-// ------------------------------------------------------------------------------------------- the certified
-// quotient
+// -------------------------------------------------------------------------------------- the certified quotient
 
 /// base + q, rounded once, if the error of q cannot change the result.
 CenterResult certified_sum(double base, const TwoTerms& q, double& result) {
@@ -41,8 +40,7 @@ CenterResult certified_sum(double base, const TwoTerms& q, double& result) {
   return CenterResult::kInside;
 }
 
-// ------------------------------------------------------------------------------------------------- the long
-// division
+// ------------------------------------------------------------------------------------------- the long division
 
 /// A natural number below 2^(64 N).
 template <std::size_t N>

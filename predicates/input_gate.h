@@ -19,17 +19,17 @@ inline constexpr int kGridBits = 121;
 template <int Dim>
 class InputGate {
  public:
+  /// No points, or all at the origin, pass unscaled.
   /// @throws InputError naming the index and value of the first coordinate that is not finite, or if the
-  /// largest is
-  ///         so small (below 2^-800) that results would not be representable in the units of the input. No
-  ///         points, or all at the origin, pass unscaled.
+  ///         largest is so small (below 2^-800) that results would not be representable in the units of the
+  ///         input.
   /// Cost: one pass.
   explicit InputGate(std::span<const Point<Dim>> points);
 
   /// Whether p is finite and its gated coordinates are in (-2, 2): whether the predicates are exact for it.
   bool admits(const Point<Dim>& p) const;
-  /// To gated coordinates. Requires |coordinate| at most the largest of the input (Steiner points inside the
-  /// box).
+  /// To gated coordinates. Requires |coordinate| at most the largest of the input (Steiner points lie inside
+  /// the box).
   Point<Dim> in(const Point<Dim>& p) const;
   /// Back to the units of the input; exact.
   Point<Dim> out(const Point<Dim>& p) const;

@@ -7,8 +7,7 @@
 // point kVectors[i].to. It names
 //   kDegree       it is homogeneous of this degree in the coordinates;
 //   kErrorBound   |rounded value - exact value| <= kErrorBound * permanent, where the permanent is the same
-//   expression
-//                 with magnitudes for the vectors and additions for the subtractions [PS, 0];
+//                 expression with magnitudes for the vectors and additions for the subtractions [PS, 0];
 //   value()       the expression; the error bound depends on the order of its operations;
 //   majorant()    no permanent is larger, up to rounding, if no |difference| along axis k exceeds extents[k];
 //   is_zero()     only where there is a cheap sufficient condition on the coordinates for an exact zero.
@@ -100,8 +99,7 @@ bool are_box_corners(const Points<P>& p) {
   return true;
 }
 
-// --------------------------------------------------------------------------------------------------
-// orientation
+// ------------------------------------------------------------------------------------------------- orientation
 
 /// Signed volume of the simplex of Dim+1 points.
 template <int Dim>
@@ -140,8 +138,7 @@ struct Orientation<3> {
   static bool is_zero(const Points<Orientation>& p) { return share_a_coordinate<Orientation>(p); }
 };
 
-// ----------------------------------------------------------------------------------------------------
-// in-sphere
+// --------------------------------------------------------------------------------------------------- in-sphere
 
 /// Positive if the last point lies inside the circumsphere of the first Dim+1, and these are positively
 /// oriented.
@@ -192,11 +189,10 @@ struct InSphere<3> {
   static bool is_zero(const Points<InSphere>& p) { return are_box_corners<InSphere>(p); }
 };
 
-// ---------------------------------------------------------------------------------------------- diametral
-// sphere
+// -------------------------------------------------------------------------------------------- diametral sphere
 
-/// Points: the Dim corners of a facet, then x. Negative if x lies inside the diametral sphere of the facet [PS,
-/// 1].
+/// Points: the Dim corners of a facet, then x. Negative if x lies inside the diametral sphere of the facet
+/// [PS, 1].
 template <int Dim>
 struct Diametral;
 
@@ -277,8 +273,7 @@ struct FacetNormals<3> {
   }
 };
 
-// -------------------------------------------------------------------------------------------------
-// orthogonality
+// ----------------------------------------------------------------------------------------------- orthogonality
 
 /// The circumcenter of a simplex is its first corner plus y / (2 d): y the vector Y of [PS, 0], d the signed
 /// volume.

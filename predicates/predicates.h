@@ -14,14 +14,12 @@
 // and, in the `_sos` functions only,
 //   symbolic     the first nonzero coefficient of the polynomial perturbed in the lifted coordinate [EM90]
 //
-// Sign:  orient2d > 0 for a counterclockwise triangle; orient3d > 0 for the tetrahedron (0, e1, e2, e3), that
-// is
-//        when d lies on the side of (b-a) x (c-a). Shewchuk's predicates.c has the opposite sign for orient3d.
+// Sign:  orient2d > 0 for a counterclockwise triangle; orient3d > 0 for the tetrahedron (0, e1, e2, e3):
+//        d lies on the side of (b-a) x (c-a). Shewchuk's predicates.c has the opposite sign for orient3d.
 //        incircle, insphere > 0 when the last point is strictly inside, for a positively oriented simplex.
 // Laws:  swapping two of the first Dim+1 points negates orient*, incircle, insphere. diametral_side is
-// symmetric in
-//        the points of the facet. `_sos` never returns 0 for a simplex of nonzero volume and distinct points,
-//        and never changes a sign that is not 0.
+//        symmetric in the points of the facet. `_sos` never returns 0 for a simplex of nonzero volume and
+//        distinct points, and never changes a sign that is not 0.
 // Sites: ranked by the lexicographic order of their coordinates. Every weight is negative, -eps_rank, with
 //        eps_0 >> eps_1 >> ...: a cospherical query point ranked first is not in conflict; an apex on the
 //        diametral sphere, ranked first, has no flow.

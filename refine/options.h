@@ -45,8 +45,8 @@ struct Progress {
   std::size_t simplices = 0;    ///< inside
   std::size_t low_quality = 0;  ///< of these, with r/l above the bound
   std::size_t candidates = 0;   ///< in this round: points considered
-  std::size_t passed_boundary =
-      0;                     ///< of these, seen to pass the boundary test; pruned schedules do not test all
+  /// Of these, seen to pass the boundary test; pruned schedules do not test all.
+  std::size_t passed_boundary = 0;
   std::size_t inserted = 0;  ///< in this round
   /// Statistics of the mesh as it is now. Linear; call it only if needed, and only during the callback.
   std::function<QualityStatistics()> statistics;
@@ -85,15 +85,15 @@ enum class Stop : std::uint8_t {
 struct Rejections {
   std::size_t boundary = 0;  ///< in the diametral sphere of a boundary facet in the closure of its prestar
   std::size_t crossing = 0;  ///< its prestar would reach through the boundary
-  std::size_t separation =
-      0;  ///< nearer to a vertex than the input vertices are to each other, or lost by rounding
+  /// Nearer to a vertex than the input vertices are to each other, or lost by rounding.
+  std::size_t separation = 0;
   std::size_t dependent = 0;  ///< not independent of a point of the same round
 };
 
 /// Simplices of low quality that remain, each with one reason: the first in this order that applies.
 struct Remaining {
-  std::size_t boundary_facet =
-      0;  ///< has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it
+  /// Has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it.
+  std::size_t boundary_facet = 0;
   std::size_t boundary = 0;  ///< a point for it was rejected for this reason ...
   std::size_t crossing = 0;
   std::size_t separation = 0;

@@ -201,9 +201,11 @@ Mesh<Dim> refine(const Surface<Dim>& surface, const RefineOptions& options) {
   return mesher.mesh();
 }
 
+template class SurfaceMesher<2>;
 template class SurfaceMesher<3>;
 template Mesh<2> hull_mesh(const Triangulation<2>&);
 template Mesh<3> hull_mesh(const Triangulation<3>&);
+template Mesh<2> refine(const Surface<2>&, const RefineOptions&);
 template Mesh<3> refine(const Surface<3>&, const RefineOptions&);
 
 }  // namespace sinkmesh

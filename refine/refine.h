@@ -28,8 +28,7 @@ class SurfaceMesher {
 
   /// Labels the inside, and peels it to its maximal stable subcomplex.
   /// @throws InputError if facets of the surface are no facets of the triangulation (how many, and the first),
-  /// if
-  ///         the surface is not closed, or if nothing stable remains.
+  ///         if the surface is not closed, or if nothing stable remains.
   typename Domain<Dim>::Peeled find_domain();
 
   /// Inserts Steiner points until no simplex of the domain has r/l above options.max_ratio, or none can be
@@ -56,6 +55,7 @@ class SurfaceMesher {
   struct State;
   std::unique_ptr<State> state_;
 };
+using SurfaceMesher2 = SurfaceMesher<2>;
 using SurfaceMesher3 = SurfaceMesher<3>;
 
 /// The solid simplices of a triangulation as plain arrays, in the units of the input; the boundary is its hull.

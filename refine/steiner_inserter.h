@@ -45,14 +45,12 @@ enum class Verdict : std::uint8_t { inserted, boundary, crossing, separation, de
 /// Why a rejection is final while the simplex s lives, whatever is inserted elsewhere. Let x be the center of
 /// s, f a boundary facet, t the inside simplex at f, and t' the one that replaces t when y is inserted.
 /// - boundary: x is in the diametral ball of f, and f in the closure of Pt x, so t is in Pt x. If x lies on the
-/// inner side of f:
-///   y passed the boundary test, so the center of t' is on the inner side, and its ball holds the inner half of
-///   the diametral ball, hence x; f stays in the closure. If x lies beyond f: see crossing.
+///   inner side of f: y passed the boundary test, so the center of t' is on the inner side, and its ball holds
+///   the inner half of the diametral ball, hence x; f stays in the closure. If x lies beyond f: see crossing.
 /// - crossing: a simplex o outside, at f, is in conflict with x. o never changes. If x lies on the inner side
-/// of f, the ball
-///   of t' holds what the ball of o has there, because f is Delaunay; so x is still reached. If x lies beyond
-///   f, x has left the domain, and every way from s to x crosses the boundary, at a facet whose outer simplex
-///   is in conflict.
+///   of f, the ball of t' holds what the ball of o has there, because f is Delaunay; so x is still reached. If
+///   x lies beyond f, x has left the domain, and every way from s to x crosses the boundary, at a facet whose
+///   outer simplex is in conflict.
 /// - separation: vertices do not move, and the nearest one stays a neighbour.
 /// So the verdict is cached, and rounds that recompute it (--literal) come to the same mesh.
 template <int Dim>
@@ -107,16 +105,14 @@ class SteinerInserter {
 
   /// Looks for the prestar of a candidate whose simplex lives; leaves the complex unchanged.
   /// @param closure  receives the vertices of the closure of the prestar, if the verdict is `inserted`, which
-  /// here
-  ///                 means: could be inserted.
+  ///                 here means: could be inserted.
   Verdict test(const Candidate<Dim>& candidate, std::vector<Vertex>& closure);
 
   /// Tests a candidate, and inserts it if it passes.
   ///
   /// If its simplex has died, the point is located again, from the vertex that outlives it.
   /// @param is_taken  asked for each vertex of the closure of the prestar; a claim ends the search with the
-  /// verdict
-  ///                  `dependent`.
+  ///                  verdict `dependent`.
   template <class IsTaken>
   Verdict insert(const Candidate<Dim>& candidate, IsTaken&& is_taken);
   Verdict insert(const Candidate<Dim>& candidate) {

@@ -10,8 +10,8 @@
 
 namespace sinkmesh::detail {
 
-/// A ring of exact numbers. Exact while no intermediate product overflows and none has bits below 2^-1074 [PS,
-/// 11].
+/// A ring of exact numbers. Exact while no intermediate product overflows and none has bits below 2^-1074
+/// [PS, 11].
 ///
 /// Invariant: the terms are nonzero, of increasing magnitude, and strongly nonoverlapping, so that the largest
 /// one has the sign of the sum [S97, Sec. 2]. Zero has no terms.

@@ -75,8 +75,8 @@ inline FixedInt<std::max(A, B) + 1> operator-(const FixedInt<A>& a, const FixedI
   return r;
 }
 
-/// The product of the limbs as unsigned numbers, then corrected: reading a negative x as unsigned adds 2^(64
-/// limbs), so the product is too large by the other factor times that power.
+/// The product of the limbs as unsigned numbers, then corrected: reading a negative x as unsigned adds
+/// 2^(64 limbs), so the product is too large by the other factor times that power.
 template <int A, int B>
 inline FixedInt<A + B> operator*(const FixedInt<A>& a, const FixedInt<B>& b) {
   constexpr std::size_t kA = FixedInt<A>::kLimbs;

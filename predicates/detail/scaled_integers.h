@@ -63,8 +63,8 @@ bool vanishes(const V& vectors, double scale) {
 }
 
 /// The vectors of P times a power of two, as integers of magnitude at most 2^Bits. The rounded difference h and
-/// its error l are both converted: |h * scale| < 2^Bits is a double, hence at most 2^Bits - 2^(Bits-53), and |l
-/// * scale| is at most half a unit in its last place, 2^(Bits-54).
+/// its error l are both converted: |h * scale| < 2^Bits is a double, hence at most 2^Bits - 2^(Bits-53), and
+/// |l * scale| is at most half a unit in its last place, 2^(Bits-54).
 /// @return the scale if every conversion was exact, otherwise 0. Assumes nothing of the points; 0 also where a
 ///         difference overflows.
 template <class P, int Bits>

@@ -166,8 +166,7 @@ TYPED_TEST(OracleTest, SignsAreExactOverTheRangeOfExponents) {
   if (P::kDegree > 2 || kIsOrientation<P>) expect_each_decides(stages, {Stage::kExpansion});
 }
 
-// ----------------------------------------------------------------------------------------------------
-// perturbed
+// --------------------------------------------------------------------------------------------------- perturbed
 
 template <class P>
 class PerturbedTest : public ::testing::Test {};

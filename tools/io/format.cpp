@@ -42,6 +42,7 @@ const std::vector<Row>& table() {
       {Format::msh, "msh", {".msh"}, kMesh, kMesh},
       {Format::msh2, "msh2", {}, kMesh, kMesh},
       {Format::tetgen, "node", {".node", ".ele", ".face", ".edge"}, kMesh | kPoints, kMesh | kPoints},
+      {Format::svg, "svg", {".svg"}, 0, bit(FileRole::mesh_out)},
   };
   return rows;
 }

@@ -22,6 +22,7 @@ enum class Format {
   msh,     ///< .msh   mesh; Gmsh, text, writes 4.1, reads 4.1 and 2.2
   msh2,    ///< no suffix of its own: Gmsh 2.2
   tetgen,  ///< .node .ele .face (.edge in the plane)  mesh; the .node file alone: points
+  svg,     ///< .svg   mesh in the plane, a picture; written only
 };
 
 enum class FileRole { surface_in, points_in, mesh_in, surface_out, mesh_out };

@@ -46,8 +46,30 @@ void check_indices(const Cells& cells, std::size_t points, const char* what) {
   }
 }
 
-// References and physical tags are 32-bit in the programs that read them.
-bool holds_one_tag(Format format) {
+// The values that a format can hold without changing them, and what they are there.
+struct TagRange {
+  std::int64_t min;
+  std::int64_t max;
+  const char* what;
+};
+
+TagRange tag_range(Format format) {
+  using Limits = std::numeric_limits<std::int32_t>;
+  constexpr std::int64_t kWhole = std::int64_t{1} << std::numeric_limits<double>::digits;
+  switch (format) {
+    case Format::medit:
+    case Format::msh:
+    case Format::msh2:
+      return {Limits::min(), Limits::max(), "32-bit tags"};
+    case Format::tetgen:
+      return {-kWhole, kWhole, "attributes, which are doubles,"};
+    default:
+      return {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(), "fields"};
+  }
+}
+
+// References and physical tags are a single number.
+bool holds_one_field(Format format) {
   return format == Format::medit || format == Format::msh || format == Format::msh2;
 }
 
@@ -59,14 +81,16 @@ void check_fields(const Mesh<Dim>& mesh, Format format) {
                               mesh.simplices.size(), " simplices"));
     }
   }
-  if (mesh.simplex_fields.empty() || !holds_one_tag(format)) return;
-  using Limits = std::numeric_limits<std::int32_t>;
-  const auto& first = mesh.simplex_fields.front();
-  for (const std::int64_t value : first.values) {
-    if (value < Limits::min() || value > Limits::max()) {
-      throw InputError(concat("field '", printable(first.name), "' holds ", value,
-                              ", which does not fit the 32-bit tags of this format: write .vtu instead"));
+  const TagRange range = tag_range(format);
+  for (const auto& field : mesh.simplex_fields) {
+    for (const std::int64_t value : field.values) {
+      if (value < range.min || value > range.max) {
+        throw InputError(concat("field '", printable(field.name), "' holds ", value,
+                                ", which does not fit the ", range.what,
+                                " of this format: write .vtu instead"));
+      }
     }
+    if (holds_one_field(format)) return;
   }
 }
 
@@ -101,6 +125,9 @@ std::string encode_mesh(const Mesh<Dim>& mesh, Format format) {
       return io_detail::encode_msh41(mesh);
     case Format::msh2:
       return io_detail::encode_msh22(mesh);
+    case Format::svg:
+      if constexpr (Dim == 2) return io_detail::encode_svg(mesh);
+      [[fallthrough]];  // refused before: it holds no mesh in space
     default:
       return io_detail::encode_vtu(mesh);
   }

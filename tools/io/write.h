@@ -22,11 +22,10 @@ namespace sinkmesh {
 ///
 /// @param path    "-" is standard output.
 /// @param format  default: by the suffix.
-/// @throws FileError if the file cannot be written (unknown suffix, no such folder, full disk, closed pipe,
-/// ...).
+/// @throws FileError if the file cannot be written: unknown suffix, no such folder, full disk, closed pipe.
 /// @throws InputError if a field's length is not the number of simplices, an index is out of range, or a
-/// reference or
-///         physical tag does not fit 32 bits.
+///         reference or physical tag does not fit 32 bits, or an attribute is beyond the whole numbers that
+///         doubles hold.
 template <int Dim>
 void write_mesh(const std::string& path, const Mesh<Dim>& mesh, std::optional<Format> format = std::nullopt);
 

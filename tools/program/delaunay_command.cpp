@@ -69,7 +69,7 @@ class DelaunayRun {
                        {"duplicates", triangulation.duplicates().size()},
                        {"rounded_points", triangulation.gate().rounded_points()}};
     report["options"] = {{"engine", arguments_.engine}, {"flow", arguments_.flow}};
-    report["final"] = to_json(points - triangulation.duplicates().size(), quality_);
+    report["final"] = to_json(Dim, points - triangulation.duplicates().size(), quality_);
     report["final"]["hull_facets"] = triangulation.num_ghosts();
     if (flow_) report["flow"] = {{"sinks", flow_->sinks}, {"to_omega_only", flow_->to_omega_only}};
     report["hash"] = hash_text(triangulation.hash());

@@ -26,9 +26,8 @@ bool is_mesh_format(const std::string& name) {
   return supports(format, FileRole::mesh_out, 2) || supports(format, FileRole::mesh_out, 3);
 }
 
-// --format is that of OUTPUT; but one that only an input can have leaves no doubt, and `sinkmesh refine - -o
-// a.vtu
-// --format off` is what anyone would try first.
+// --format is that of OUTPUT; but one that only an input can have leaves no doubt, and
+// `sinkmesh refine - -o a.vtu --format off` is what anyone would try first.
 bool belongs_to_input(const FileArguments& files) {
   return files.input_format.empty() && !files.output_format.empty() && !is_mesh_format(files.output_format);
 }

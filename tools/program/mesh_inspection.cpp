@@ -93,7 +93,7 @@ void inspect_mesh(const Mesh<Dim>& mesh, double max_ratio, Inspection& inspectio
     report["hash"] = hash_text(hash.value());
     summary.line("hash", hash_text(hash.value()));
   }
-  report["quality"] = to_json(check.vertices, check.quality);
+  report["quality"] = to_json(Dim, check.vertices, check.quality);
   report["quality"]["histogram"] = histogram(check.quality);
 }
 

@@ -11,7 +11,9 @@ void add_file_options(CLI::App& command, FileArguments& files, const std::string
   command.add_option("INPUT", files.input, input_help + "; - is standard input")->required();
   command
       .add_option("-o,--output", files.output,
-                  "The mesh: .vtu, .vtk, .mesh, .msh, or .node with .ele and .face; - is standard output")
+                  "The mesh: .vtu, .vtk, .mesh, .msh, or .node with .ele and .face; in the plane also .svg; - "
+                  "is standard "
+                  "output")
       ->required()
       ->type_name("OUTPUT");
   command.add_option("--format", files.output_format, "Format of OUTPUT, if its suffix does not tell")

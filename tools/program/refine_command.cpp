@@ -28,9 +28,8 @@ Fallback fallback_named(const std::string& name) {
   return name == "none" ? Fallback::none : Fallback::circumcenter;
 }
 
-constexpr int kDim = 3;
-
 // One run, with everything that the summary and the report tell about it.
+template <int Dim>
 class RefineRun {
  public:
   explicit RefineRun(const RefineArguments& arguments)
@@ -40,20 +39,20 @@ class RefineRun {
         final_(arguments.ratio) {}
 
   ExitStatus run() {
-    const Format format = output_format(arguments_.files, kDim);
+    const Format format = output_format(arguments_.files, Dim);
     check_writable(arguments_.files.output);
     check_writable(arguments_.report);
     check_writable(arguments_.history);
     progress_.phase("reading");
-    const Surface3 surface = read_surface_input(arguments_.files, lines_);
+    const Surface<Dim> surface = read_surface_input<Dim>(arguments_.files, lines_);
     lap("read");
     progress_.phase("checking the surface");
-    require_sound(surface, lines_, arguments_.files.input);
+    require_sound<Dim>(surface, lines_, arguments_.files.input);
     lap("check");
 
     catch_stop_signals();
     progress_.phase("triangulating");
-    SurfaceMesher3 mesher(surface);
+    SurfaceMesher<Dim> mesher(surface);
     lap("delaunay");
     const auto peeled = mesher.find_domain();
     lap("domain");
@@ -114,15 +113,15 @@ class RefineRun {
     return options;
   }
 
-  Json report(const Surface3& surface, const SurfaceMesher3& mesher, const Domain<kDim>::Peeled& peeled,
-              double total) const {
+  Json report(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher,
+              const typename Domain<Dim>::Peeled& peeled, double total) const {
     const auto limit = [](const auto& value) { return value ? Json(*value) : Json(); };
-    const Triangulation3& triangulation = mesher.triangulation();
+    const Triangulation<Dim>& triangulation = mesher.triangulation();
     Json report = begin_report("refine");
     report["input"] = {{"path", arguments_.files.input},
                        {"vertices", surface.points.size()},
                        {"facets", surface.facets.size()},
-                       {"dimension", kDim},
+                       {"dimension", Dim},
                        {"duplicates", triangulation.duplicates().size()},
                        {"rounded_points", triangulation.gate().rounded_points()}};
     report["options"] = {{"ratio", arguments_.ratio},
@@ -134,8 +133,8 @@ class RefineRun {
                          {"max_vertices", limit(arguments_.max_vertices)},
                          {"time_limit", limit(arguments_.time_limit)}};
     report["peeled"] = {{"simplices", peeled.simplices}, {"facets", peeled.facets}};
-    report["initial"] = to_json(initial_vertices_, initial_);
-    report["final"] = to_json(mesher.num_vertices(), final_);
+    report["initial"] = to_json(Dim, initial_vertices_, initial_);
+    report["final"] = to_json(Dim, mesher.num_vertices(), final_);
     report["final"]["histogram"] = histogram(final_);
     report["rounds"] = result_.rounds;
     report["candidates"] = result_.candidates;
@@ -161,8 +160,8 @@ class RefineRun {
     return report;
   }
 
-  std::string summary(const Surface3& surface, const SurfaceMesher3& mesher, const Domain<kDim>::Peeled& peeled,
-                      double total) const {
+  std::string summary(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher,
+                      const typename Domain<Dim>::Peeled& peeled, double total) const {
     Summary summary;
     summary.line("input", fmt::format("{}: {}, {}", printable(arguments_.files.input, 200),
                                       count(surface.points.size(), "vertex", "vertices"),
@@ -171,14 +170,14 @@ class RefineRun {
       summary.line("", fmt::format("{} rounded: coordinates differ too much in size",
                                    count(rounded, "point was", "points were")));
     }
-    summary.line("domain", fmt::format("{} inside", simplices(initial_.simplices(), kDim)));
+    summary.line("domain", fmt::format("{} inside", simplices(initial_.simplices(), Dim)));
     if (peeled.simplices != 0) {
       summary.line("",
                    fmt::format("after {} with {} of the surface were peeled off, from which the flow leads out",
-                               simplices(peeled.simplices, kDim), count(peeled.facets, "facet", "facets")));
+                               simplices(peeled.simplices, Dim), count(peeled.facets, "facet", "facets")));
     }
     add_quality(summary, {{"before", initial_vertices_, &initial_}, {"after", mesher.num_vertices(), &final_}},
-                kDim, arguments_.ratio);
+                Dim, arguments_.ratio);
     summary.line("inserted", fmt::format("{} in {}, of {}", count(result_.inserted, "point", "points"),
                                          count(result_.rounds, "round", "rounds"),
                                          count(result_.candidates, "candidate", "candidates")));
@@ -209,8 +208,9 @@ class RefineRun {
 
 CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   CLI::App* const command = program.add_subcommand(
-      "refine", "Mesh what a closed surface bounds, and insert points until the quality is good");
-  add_file_options(*command, arguments.files, "The surface: .off, .obj, .stl, .ply");
+      "refine",
+      "Mesh what a closed surface (in the plane: polygon) bounds, and insert points until it is good");
+  add_file_options(*command, arguments.files, "The surface: .off, .obj, .stl, .ply; in the plane: .poly");
   command
       ->add_option("--ratio", arguments.ratio,
                    "Largest ratio of circumradius to shortest edge that is good enough")
@@ -252,7 +252,8 @@ ExitStatus run(const RefineArguments& arguments) {
   if (arguments.literal && arguments.schedule != "parallel") {
     throw UsageError("--literal goes with --schedule parallel only");
   }
-  return RefineRun(arguments).run();
+  if (surface_dimension(arguments.files) == 2) return RefineRun<2>(arguments).run();
+  return RefineRun<3>(arguments).run();
 }
 
 }  // namespace sinkmesh::program

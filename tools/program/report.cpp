@@ -13,13 +13,13 @@ Json begin_report(const std::string& command) {
   return {{"program", "sinkmesh"}, {"version", SINKMESH_VERSION}, {"command", command}};
 }
 
-Json to_json(std::size_t vertices, const QualityStatistics& quality) {
+Json to_json(int dim, std::size_t vertices, const QualityStatistics& quality) {
   return {
       {"vertices", vertices},
       {"simplices", quality.simplices()},
       {"low_quality", quality.low_quality()},
       {"ratio", {{"min", quality.min_ratio()}, {"avg", quality.average_ratio()}, {"max", quality.max_ratio()}}},
-      {"dihedral", {{"min", quality.min_angle()}, {"max", quality.max_angle()}}}};
+      {dim == 2 ? "angle" : "dihedral", {{"min", quality.min_angle()}, {"max", quality.max_angle()}}}};
 }
 
 Json histogram(const QualityStatistics& quality) {

@@ -18,8 +18,9 @@ using Json = nlohmann::ordered_json;
 /// An object with "program", "version" and "command".
 Json begin_report(const std::string& command);
 
-/// { simplices low_quality ratio{min avg max} dihedral{min max} }, after the vertices.
-Json to_json(std::size_t vertices, const QualityStatistics& quality);
+/// { simplices low_quality ratio{min avg max} dihedral{min max} }, after the vertices; in the plane "angle"
+/// instead of "dihedral".
+Json to_json(int dim, std::size_t vertices, const QualityStatistics& quality);
 /// [{ up_to, simplices }]: the bins of r/l, the last one open (null).
 Json histogram(const QualityStatistics& quality);
 

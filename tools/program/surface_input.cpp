@@ -7,28 +7,27 @@
 
 namespace sinkmesh::program {
 
-Surface3 read_surface_input(const FileArguments& files, SourceLines& lines) {
+int surface_dimension(const FileArguments& files) {
   const std::optional<Format> format = input_format(files);
+  if (!format || supports(*format, FileRole::surface_in, 3)) return 3;
+  if (supports(*format, FileRole::surface_in, 2)) return 2;
   const std::string known = format_names(FileRole::surface_in);
-  if (format && !supports(*format, FileRole::surface_in, 3)) {
-    if (supports(*format, FileRole::surface_in, 2)) {
-      throw FileError(files.input,
-                      fmt::format("is a polygon in the plane, and refine needs a closed surface in space ({}); "
-                                  "sinkmesh delaunay takes the vertices of a polygon",
-                                  known));
-    }
-    if (supports(*format, FileRole::points_in)) {
-      throw FileError(
-          files.input,
-          fmt::format("holds points, and refine needs a closed surface ({}); sinkmesh delaunay takes points",
-                      known));
-    }
-    throw FileError(files.input, fmt::format("is a mesh, and refine needs a closed surface ({})", known));
+  if (supports(*format, FileRole::points_in)) {
+    throw FileError(
+        files.input,
+        fmt::format("holds points, and refine needs a closed surface ({}); sinkmesh delaunay takes points",
+                    known));
   }
-  return read_surface<3>(files.input, {format, &lines});
+  throw FileError(files.input, fmt::format("is a mesh, and refine needs a closed surface ({})", known));
 }
 
-void require_sound(const Surface3& surface, const SourceLines& lines, const std::string& path) {
+template <int Dim>
+Surface<Dim> read_surface_input(const FileArguments& files, SourceLines& lines) {
+  return read_surface<Dim>(files.input, {input_format(files), &lines});
+}
+
+template <int Dim>
+void require_sound(const Surface<Dim>& surface, const SourceLines& lines, const std::string& path) {
   for (const SurfaceDefect& defect : check_surface(surface)) {
     if (severity(defect.kind) != SurfaceSeverity::error) continue;
     const std::string message = fmt::format("{}; {} (sinkmesh inspect {} lists all defects)", defect.message,
@@ -44,5 +43,10 @@ std::size_t source_line(const SurfaceDefect& defect, const SourceLines& lines) {
   if (line != 0 || defect.vertices.empty()) return line;
   return lines.point(defect.vertices.front());
 }
+
+template Surface2 read_surface_input<2>(const FileArguments&, SourceLines&);
+template Surface3 read_surface_input<3>(const FileArguments&, SourceLines&);
+template void require_sound(const Surface2&, const SourceLines&, const std::string&);
+template void require_sound(const Surface3&, const SourceLines&, const std::string&);
 
 }  // namespace sinkmesh::program

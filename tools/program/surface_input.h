@@ -10,14 +10,19 @@
 
 namespace sinkmesh::program {
 
+/// Of the surface that INPUT holds: 2 if its format is one for polygons in the plane.
+/// @throws FileError if it is a format for points or meshes, which have messages of their own; UsageError for a
+///         name that is no format.
+int surface_dimension(const FileArguments& files);
+
 /// Reads the surface that a command works on.
-/// @throws FileError if the file is no surface in space (points, a mesh and a polygon have messages of their
-/// own);
-///         UsageError for a name that is no format.
-Surface3 read_surface_input(const FileArguments& files, SourceLines& lines);
+/// @throws FileError, UsageError
+template <int Dim>
+Surface<Dim> read_surface_input(const FileArguments& files, SourceLines& lines);
 
 /// @throws FileError with the first defect of the surface, where it is in the file, and how to see all of them.
-void require_sound(const Surface3& surface, const SourceLines& lines, const std::string& path);
+template <int Dim>
+void require_sound(const Surface<Dim>& surface, const SourceLines& lines, const std::string& path);
 
 /// Where a defect is in the file: the line of its first facet or vertex; 0 if that is not known.
 std::size_t source_line(const SurfaceDefect& defect, const SourceLines& lines);

@@ -173,7 +173,7 @@ void describe_fit(const Surface<Dim>& surface, double max_ratio, Inspection& ins
   }
   report["unstable_facets"] = found.unstable;
   report["peeled"] = {{"simplices", found.peeled_simplices}, {"facets", found.peeled_facets}};
-  report["inside"] = to_json(found.vertices, found.quality);
+  report["inside"] = to_json(Dim, found.vertices, found.quality);
   summary.line("Delaunay", "yes: every facet is in the Delaunay triangulation of the vertices");
   if (found.unstable == 0) {
     summary.line("stable", "yes: refinement keeps the surface as it is");

@@ -61,6 +61,9 @@ std::string encode_msh41(const Mesh<Dim>& mesh);
 template <int Dim>
 std::string encode_msh22(const Mesh<Dim>& mesh);
 
+/// A picture: edges, the boundary bold.
+std::string encode_svg(const Mesh2& mesh);
+
 /// The points of a TetGen or Triangle .node file, and the number of its first one.
 template <int Dim>
 struct NodeFile {

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""The plane: polygons in, triangles out, by every command and format."""
+import pathlib
+import re
+import unittest
+
+from program import ProgramTest
+
+USA = pathlib.Path(__file__).parent.parent / "data" / "paper" / "usa.poly"
+
+
+def squares():
+    """A square with a square hole, and another one beside it, in no consistent direction; numbered from 1."""
+    points, segments = [], []
+    for low, side, turn in (((0, 0), 4, 1), ((1, 1), 2, 1), ((6, 0), 3, -1)):
+        corners = [(low[0], low[1]), (low[0] + side, low[1]), (low[0] + side, low[1] + side), (low[0], low[1] + side)]
+        first = len(points)
+        for (x, y), (u, v) in zip(corners, corners[1:] + corners[:1]):
+            points += [(x + (u - x) * k / 8, y + (v - y) * k / 8) for k in range(8)]
+        ring = list(range(first, len(points)))[::turn]
+        segments += list(zip(ring, ring[1:] + ring[:1]))
+    lines = [f"# comment\n{len(points)} 2 0 0"]
+    lines += [f"{i + 1} {x} {y}" for i, (x, y) in enumerate(points)]
+    lines += [f"{len(segments)} 0"]
+    lines += [f"{i + 1} {a + 1} {b + 1}" for i, (a, b) in enumerate(segments)]
+    return "\n".join(lines + ["1", "1 1.5 1.5"]) + "\n"
+
+
+class Plane(ProgramTest):
+    def refine(self, source, *arguments, out="out.vtu"):
+        self.succeed("refine", source, "-o", self.path(out), "--report", self.path("report.json"), *arguments)
+        return self.report()
+
+    def test_the_outline_of_the_usa_is_refined_in_every_schedule(self):
+        hashes = {}
+        for insert in ("sink", "circumcenter"):
+            for schedule in ("incremental", "block", "parallel"):
+                report = self.refine(str(USA), "--ratio", "1", "--insert", insert, "--schedule", schedule,
+                                     out="out.mesh")
+                mesh = self.inspect(self.path("out.mesh"))
+                self.assertEqual(report["initial"]["simplices"], 229)
+                self.assertEqual(report["peeled"]["simplices"], 0)
+                self.assertEqual(report["stop"], "no_candidate")
+                self.assertTrue(mesh["delaunay"])
+                self.assertEqual(mesh["unstable_facets"], 0)
+                self.assertEqual(mesh["boundary_facets"], 231)
+                self.assertEqual(mesh["hash"], report["hash"])
+                self.assertEqual(report["final"]["low_quality"], report["remaining"]["total"])
+                self.assertLess(report["final"]["low_quality"], 0.1 * report["final"]["simplices"])
+                hashes[insert, schedule] = report["hash"]
+            literal = self.refine(str(USA), "--ratio", "1", "--insert", insert, "--schedule", "parallel", "--literal")
+            self.assertEqual(literal["hash"], hashes[insert, "parallel"])
+        self.assertEqual(len(set(hashes.values())), 6)
+
+    def test_each_sink_adds_two_triangles(self):
+        for sinks in (4, 12, 15):
+            self.succeed("refine", str(USA), "-o", self.path("out.vtu"), "--ratio", "1", "--max-vertices",
+                         str(231 + sinks), "--report", self.path("report.json"), status=3)
+            self.assertEqual(self.report()["final"]["simplices"], 229 + 2 * sinks)
+
+    def test_holes_and_components_are_found_by_parity(self):
+        source = self.write("squares.poly", squares())
+        report = self.refine(source, "--ratio", "1.2")
+        self.assertEqual(report["input"]["dimension"], 2)
+        self.assertEqual(set(report["final"]["angle"]), {"min", "max"})
+        mesh = self.inspect(self.path("out.vtu"))
+        self.assertTrue(mesh["delaunay"])
+        self.assertEqual(mesh["components"], 2)
+        self.assertEqual(mesh["boundary_facets"], 96)
+        self.assertEqual(self.inspect(source)["components"], 3)
+
+    def test_every_format_holds_the_same_mesh(self):
+        hashes = set()
+        for out in ("a.vtu", "a.vtk", "a.mesh", "a.msh", "a.node"):
+            report = self.refine(str(USA), "--ratio", "1", out=out)
+            hashes |= {report["hash"], self.inspect(self.path(out))["hash"]}
+        self.assertEqual(len(hashes), 1)
+
+    def test_svg_draws_every_edge_once_and_the_boundary_again(self):
+        report = self.refine(str(USA), "--ratio", "1", out="a.svg")
+        text = (self.folder / "a.svg").read_text()
+        paths = re.findall(r'<path [^>]*d="([^"]*)"', text)
+        self.assertEqual(len(paths), 2)
+        edges = (3 * report["final"]["simplices"] + 231) // 2
+        self.assertEqual([path.count("M") for path in paths], [edges, 231])
+        numbers = [float(x) for x in re.findall(r"-?[0-9.]+", paths[0])]
+        self.assertLessEqual(max(numbers), 1000)
+        self.assertGreaterEqual(min(numbers), 0)
+
+    def test_svg_is_for_the_plane_only(self):
+        line = self.fail_with_one_line(2, "delaunay", self.write("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"), "-o", self.path("a.svg"))
+        self.assertIn("svg", line)
+
+    def test_open_polygon_is_refused_where_it_is_open(self):
+        source = self.write("open.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n")
+        line = self.fail_with_one_line(1, "refine", source, "-o", self.path("out.vtu"))
+        self.assertIn("open.poly:7:", line)
+        self.assertIn("sinkmesh inspect", line)
+        self.assertFalse((self.folder / "out.vtu").exists())
+
+    def test_flips_and_stars_agree_on_degenerate_points(self):
+        ring = "\n".join(f"{x} {y}" for x, y in [(5, 0), (3, 4), (4, 3), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3),
+                                                 (-3, -4), (0, -5), (3, -4), (4, -3), (0, 0)])
+        grid = "\n".join(f"{x} {y}" for x in range(12) for y in range(12))
+        line = "\n".join(f"{x} 0" for x in range(50)) + "\n0 1"
+        for points in (ring, grid, line):
+            source = self.write("p.xyz", points + "\n")
+            hashes = set()
+            for engine in ("star", "flips"):
+                self.succeed("delaunay", source, "-o", self.path("out.vtu"), "--engine", engine, "--report",
+                             self.path("report.json"))
+                hashes.add(self.report()["hash"])
+            self.assertEqual(len(hashes), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
