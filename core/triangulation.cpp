@@ -154,13 +154,10 @@ Location<Dim> Triangulation<Dim>::locate(const Point<Dim>& p, Simplex hint) cons
 
 template <int Dim>
 auto Triangulation<Dim>::insert(const Point<Dim>& p, Engine engine, Simplex hint) -> Insertion {
-  for (const double c : p) {
-    if (!(std::abs(std::ldexp(c, gate_.exponent())) < 2)) {
-      throw InputError(
-          "the point to insert is not finite, or has a coordinate that is not below the first power of two "
-          "above "
-          "all coordinates of the input: build a triangulation of all points instead");
-    }
+  if (!gate_.admits(p)) {
+    throw InputError(
+        "the point to insert is not finite, or has a coordinate that is not below the first power of two above "
+        "all coordinates of the input: build a triangulation of all points instead");
   }
   const Point<Dim> x = gate_.in(p);
   announce(x);

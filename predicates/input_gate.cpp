@@ -63,6 +63,11 @@ InputGate<Dim>::InputGate(std::span<const Point<Dim>> points) {
 }
 
 template <int Dim>
+bool InputGate<Dim>::admits(const Point<Dim>& p) const {
+  return std::all_of(p.begin(), p.end(), [this](double x) { return std::abs(std::ldexp(x, exponent_)) < 2; });
+}
+
+template <int Dim>
 Point<Dim> InputGate<Dim>::in(const Point<Dim>& p) const {
   Point<Dim> gated;
   for (std::size_t k = 0; k < Dim; ++k) gated[k] = round_to_grid(std::ldexp(p[k], exponent_));

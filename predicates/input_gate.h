@@ -26,6 +26,8 @@ class InputGate {
   /// Cost: one pass.
   explicit InputGate(std::span<const Point<Dim>> points);
 
+  /// Whether p is finite and its gated coordinates are in (-2, 2): whether the predicates are exact for it.
+  bool admits(const Point<Dim>& p) const;
   /// To gated coordinates. Requires |coordinate| at most the largest of the input (Steiner points lie inside
   /// the box).
   Point<Dim> in(const Point<Dim>& p) const;

@@ -56,6 +56,11 @@ class Predicates {
     return v.sign != 0 ? v.sign : in_sphere_at_tie(points);
   }
 
+  /// Unperturbed: +1 if x is strictly inside the circumsphere of the positively oriented s, 0 if on it.
+  int in_sphere_unperturbed(const Corners<Dim>& s, const Point<Dim>& x) const {
+    return verdict<detail::InSphere<Dim>>(join<Dim + 2>(s, x)).sign;
+  }
+
   /// Unperturbed: -1 if x is strictly inside the diametral sphere of the facet.
   int diametral_side(const FacetCorners<Dim>& facet, const Point<Dim>& x) const {
     return verdict<detail::Diametral<Dim>>(join<Dim + 1>(facet, x)).sign;

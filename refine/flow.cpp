@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "refine/flow.h"
 
+#include <algorithm>
+
 namespace sinkmesh {
 
 template <int Dim>
@@ -9,6 +11,24 @@ unsigned Flow<Dim>::evaluate(HalfFacet h) const {
   if (c.is_ghost(Complex<Dim>::simplex_of(h))) return 1;
   const int side = triangulation_->predicates().flow_side(c.facet_corners(h), c.point(c.apex(h)));
   return side < 0 ? 0x11 : 1;
+}
+
+template <int Dim>
+void Flow<Dim>::begin_search() {
+  if (seen_.size() < complex().num_slots()) seen_.resize(complex().num_slots(), 0);
+  if (++search_ == 0) {
+    std::fill(seen_.begin(), seen_.end(), 0U);
+    search_ = 1;
+  }
+}
+
+template <int Dim>
+std::vector<Simplex> Flow<Dim>::successors(Simplex s) {
+  std::vector<Simplex> result;
+  for (int i = 0; i <= Dim; ++i) {
+    if (crosses(Complex<Dim>::half_facet(s, i))) result.push_back(complex().neighbor(s, i));
+  }
+  return result;
 }
 
 template <int Dim>
@@ -22,16 +42,12 @@ std::vector<Simplex> Flow<Dim>::sinks() {
 
 template <int Dim>
 std::vector<Simplex> Flow<Dim>::sinks_reached(const std::vector<Simplex>& sources) {
-  std::vector<bool> seen(complex().num_slots(), false);
+  begin_search();
   std::vector<Simplex> reached;
   std::vector<Simplex> result;
-  const auto reach = [&](Simplex s) {
-    if (!seen[s.index()]) {
-      seen[s.index()] = true;
-      reached.push_back(s);
-    }
-  };
-  for (const Simplex s : sources) reach(s);
+  for (const Simplex s : sources) {
+    if (meet(s)) reached.push_back(s);
+  }
   for (std::size_t next = 0; next < reached.size(); ++next) {
     const Simplex s = reached[next];
     bool has_successor = complex().is_ghost(s);
@@ -39,7 +55,8 @@ std::vector<Simplex> Flow<Dim>::sinks_reached(const std::vector<Simplex>& source
       const HalfFacet h = Complex<Dim>::half_facet(s, i);
       if (!crosses(h)) continue;
       has_successor = true;
-      reach(Complex<Dim>::simplex_of(complex().mate(h)));
+      const Simplex t = Complex<Dim>::simplex_of(complex().mate(h));
+      if (meet(t)) reached.push_back(t);
     }
     if (!has_successor) result.push_back(s);
   }
@@ -48,20 +65,16 @@ std::vector<Simplex> Flow<Dim>::sinks_reached(const std::vector<Simplex>& source
 
 template <int Dim>
 std::vector<Simplex> Flow<Dim>::ancestors(const std::vector<Simplex>& targets) {
-  std::vector<bool> seen(complex().num_slots(), false);
+  begin_search();
   std::vector<Simplex> result;
   for (const Simplex s : targets) {
-    if (seen[s.index()]) continue;
-    seen[s.index()] = true;
-    result.push_back(s);
+    if (meet(s)) result.push_back(s);
   }
   for (std::size_t next = 0; next < result.size(); ++next) {
     for (int i = 0; i <= Dim; ++i) {
       const HalfFacet into = complex().mate(Complex<Dim>::half_facet(result[next], i));
       const Simplex s = Complex<Dim>::simplex_of(into);
-      if (seen[s.index()] || !crosses(into)) continue;
-      seen[s.index()] = true;
-      result.push_back(s);
+      if (crosses(into) && meet(s)) result.push_back(s);
     }
   }
   return result;

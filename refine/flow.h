@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/triangulation.h"
@@ -15,7 +16,7 @@ namespace sinkmesh {
 /// simplex reaches a sink or omega, the outside [PS, 2]. Omega is any ghost; a ghost has no successor.
 ///
 /// The bits of a simplex are computed at first need and kept; whoever replaces simplices of the complex calls
-/// forget() for the new ones. One byte per simplex.
+/// forget() for the new ones. One byte per simplex, and four more once a search has run.
 template <int Dim>
 class Flow {
  public:
@@ -37,6 +38,10 @@ class Flow {
     }
     return true;
   }
+
+  /// The neighbours that s flows into, at most Dim; in the plane at most one, because its flow crosses the edge
+  /// opposite an obtuse angle. Omega is a successor as any ghost; a ghost has none.
+  std::vector<Simplex> successors(Simplex s);
 
   /// All sinks of the complex, by index. Linear.
   std::vector<Simplex> sinks();
@@ -62,8 +67,15 @@ class Flow {
   /// The known bit, and the flow bit four places up.
   unsigned evaluate(HalfFacet h) const;
 
+  /// Begins a search; meet() then says whether it has not seen s yet. Starting costs nothing: many small
+  /// searches, as for all ancestor sets, are linear in what they find.
+  void begin_search();
+  bool meet(Simplex s) { return std::exchange(seen_[s.index()], search_) != search_; }
+
   const Triangulation<Dim>* triangulation_;
   std::vector<std::uint8_t> bits_;
+  std::vector<std::uint32_t> seen_;  // by simplex: the last search that met it
+  std::uint32_t search_ = 0;
 };
 
 }  // namespace sinkmesh

@@ -3,15 +3,13 @@
 // The set of sinks of one simplex, the steepest way first.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "refine/flow.h"
-#include "refine/quality.h"
+#include "refine/steepest_order.h"
 
 namespace sinkmesh {
 
@@ -53,35 +51,13 @@ class SinkWalk {
       if (flow.crosses(h)) stack_.push_back(Complex<Dim>::simplex_of(complex.mate(h)));
     }
     const auto count = static_cast<int>(stack_.size() - first);
-    if (count > 1) sort_by_radius(complex, first);
+    // The steepest last, since the stack is taken from its end.
+    order_.sort(complex, std::span(stack_).subspan(first));
     return count;
   }
 
-  // The largest last, since the stack is taken from its end; equal ones by their corners.
-  void sort_by_radius(const Complex<Dim>& complex, std::size_t first) {
-    keys_.clear();
-    for (std::size_t i = first; i < stack_.size(); ++i) {
-      const Simplex s = stack_[i];
-      Key key{complex.is_ghost(s) ? HUGE_VAL : shape<Dim>(complex.corners(s)).radius2, {}, s};
-      for (int k = 0; k <= Dim; ++k)
-        key.corners[static_cast<std::size_t>(k)] = complex.point(complex.corner(s, k));
-      std::sort(key.corners.begin(), key.corners.end());
-      keys_.push_back(key);
-    }
-    std::sort(keys_.begin(), keys_.end(), [](const Key& a, const Key& b) {
-      return a.radius2 != b.radius2 ? a.radius2 < b.radius2 : a.corners < b.corners;
-    });
-    for (std::size_t i = 0; i < keys_.size(); ++i) stack_[first + i] = keys_[i].simplex;
-  }
-
-  struct Key {
-    double radius2;
-    std::array<Point<Dim>, Dim + 1> corners;
-    Simplex simplex;
-  };
-
   std::vector<Simplex> stack_;
-  std::vector<Key> keys_;
+  SteepestOrder<Dim> order_;
   std::vector<std::uint64_t> met_;  // by simplex: the last search that met it
   std::uint64_t search_ = 0;
 };

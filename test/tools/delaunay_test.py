@@ -85,6 +85,63 @@ class Delaunay(ProgramTest):
         self.assertEqual(result.returncode, 0, result.stderr.decode())
         self.inspect(self.write("out.msh", result.stdout))
 
+    def flow_of(self, dimension, count, seed):
+        """The cells of a triangulation of random points: corners and the three numbers that --flow adds."""
+        rng = random.Random(seed)
+        points = [tuple(rng.random() for _ in range(dimension)) for _ in range(count)]
+        path = self.write("points.xyz", xyz(points))
+        report = self.triangulate(path, "--flow", "--dimension", str(dimension), out="out.node")
+        cells = [tuple(map(int, line.split()[1:]))
+                 for line in (self.folder / "out.ele").read_text().splitlines()[1:] if line and line[0] != "#"]
+        base = min(min(cell[:dimension + 1]) for cell in cells)
+        return report, [([points[v - base] for v in cell[:dimension + 1]], *cell[dimension + 1:]) for cell in cells]
+
+    def test_flow_in_the_plane_gives_each_triangle_one_watershed(self):
+        report, cells = self.flow_of(2, 500, 7)
+        sinks = 0
+        for (a, b, c), watershed, sink, count in cells:
+            corners = ((a, b, c), (b, c, a), (c, a, b))
+            acute = all(sum((q[k] - p[k]) * (r[k] - p[k]) for k in range(2)) > 0 for p, q, r in corners)
+            self.assertEqual(sink >= 0, acute)
+            self.assertEqual(count, 1 if watershed >= 0 else 0)
+            if sink >= 0:
+                self.assertEqual((watershed, sink), (sinks, sinks))
+                sinks += 1
+        self.assertGreater(sinks, 300)
+        self.assertEqual(report["flow"]["sinks"], sinks)
+        self.assertEqual(report["flow"]["to_omega_only"], sum(cell[1] < 0 for cell in cells))
+
+    def test_flow_in_space_follows_shared_facets(self):
+        report, cells = self.flow_of(3, 300, 8)
+        self.assertEqual({cell[2] for cell in cells} - {-1}, set(range(report["flow"]["sinks"])))
+        self.assertTrue(all((cell[1] >= 0) == (cell[3] > 0) for cell in cells))
+        self.assertGreater(max(cell[3] for cell in cells), 1)
+        by_facet = {}
+        for cell in cells:
+            for facet in itertools.combinations(sorted(cell[0]), 3):
+                by_facet.setdefault(facet, []).append(cell)
+        # A watershed is connected: a cell that is no sink has a neighbour of the same label.
+        for cell in cells:
+            if cell[1] >= 0 and cell[2] < 0:
+                labels = [other[1] for facet in itertools.combinations(sorted(cell[0]), 3)
+                          for other in by_facet[facet] if other is not cell]
+                self.assertIn(cell[1], labels)
+
+    def test_flow_is_cell_data_of_every_format(self):
+        path = self.write("grid.xyz", xyz(itertools.product(range(4), repeat=3)))
+        self.triangulate(path, "--flow", out="out.vtu")
+        content = (self.folder / "out.vtu").read_bytes()
+        for name in (b"watershed", b"sink", b"sinks"):
+            self.assertIn(b'Name="' + name + b'"', content)
+        for out in ("out.vtk", "out.mesh", "out.msh"):
+            self.triangulate(path, "--flow", out=out)
+            self.inspect(self.path(out))
+
+    def test_without_flow_there_is_no_cell_data(self):
+        path = self.write("grid.xyz", xyz(itertools.product(range(3), repeat=3)))
+        self.assertNotIn("flow", self.triangulate(path))
+        self.assertNotIn(b"watershed", (self.folder / "out.vtu").read_bytes())
+
     @needs_data
     def test_real_points(self):
         path = DATA / "real" / "points" / "kitten.xyz"

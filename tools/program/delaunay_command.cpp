@@ -7,6 +7,7 @@
 #include "refine/refine.h"
 #include "tools/io/detail/file.h"
 #include "tools/io/write.h"
+#include "tools/program/flow_fields.h"
 #include "tools/program/options.h"
 #include "tools/program/point_input.h"
 #include "tools/program/progress.h"
@@ -37,8 +38,14 @@ class DelaunayRun {
       if (triangulation.complex().is_solid(s)) quality_.template add<Dim>(triangulation.complex().corners(s));
     }
     watch_.lap();
+    Mesh<Dim> mesh = hull_mesh(triangulation);
+    if (arguments_.flow) {
+      progress_.phase("following the flow");
+      flow_ = add_flow_fields(triangulation, mesh);
+      lap("flow");
+    }
     progress_.phase("writing");
-    write_mesh(arguments_.files.output, hull_mesh(triangulation), format);
+    write_mesh(arguments_.files.output, mesh, format);
     lap("write");
     progress_.erase();
     const double total = watch_.total();
@@ -61,9 +68,10 @@ class DelaunayRun {
                        {"dimension", Dim},
                        {"duplicates", triangulation.duplicates().size()},
                        {"rounded_points", triangulation.gate().rounded_points()}};
-    report["options"] = {{"engine", arguments_.engine}};
+    report["options"] = {{"engine", arguments_.engine}, {"flow", arguments_.flow}};
     report["final"] = to_json(Dim, points - triangulation.duplicates().size(), quality_);
     report["final"]["hull_facets"] = triangulation.num_ghosts();
+    if (flow_) report["flow"] = {{"sinks", flow_->sinks}, {"to_omega_only", flow_->to_omega_only}};
     report["hash"] = hash_text(triangulation.hash());
     Json seconds;
     for (const auto& [phase, duration] : phases_) seconds[phase] = duration;
@@ -87,6 +95,10 @@ class DelaunayRun {
     }
     add_quality(summary, {{"", points - triangulation.duplicates().size(), &quality_}}, Dim, kMaxRatio);
     summary.line("", fmt::format("{:<16}{:>14}", "hull facets", grouped(triangulation.num_ghosts())));
+    if (flow_) {
+      summary.line("", fmt::format("{:<16}{:>14}", "sinks", grouped(flow_->sinks)));
+      summary.line("", fmt::format("{:<16}{:>14}", "flow out only", grouped(flow_->to_omega_only)));
+    }
     add_times(summary, phases_, total);
     summary.line("output",
                  arguments_.files.output == "-" ? "standard output" : printable(arguments_.files.output, 200));
@@ -98,6 +110,7 @@ class DelaunayRun {
   ProgressLine& progress_;
   Phases phases_;
   QualityStatistics quality_;
+  std::optional<FlowCounts> flow_;
 };
 
 }  // namespace
@@ -111,6 +124,10 @@ CLI::App* add_delaunay_command(CLI::App& program, DelaunayArguments& arguments) 
   command->add_option("--engine", arguments.engine, "How points are inserted; the mesh is the same")
       ->check(CLI::IsMember({"star", "flips"}))
       ->capture_default_str();
+  command->add_flag(
+      "--flow", arguments.flow,
+      "Add to each cell: watershed (the sink that its flow leads to, -1 for none), sink (its number "
+      "if it is one, or -1), sinks (how many it flows to)");
   command
       ->add_option("--dimension", arguments.dimension,
                    "Of the points; default: 3 if each has three coordinates")

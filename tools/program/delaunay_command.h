@@ -16,6 +16,7 @@ struct DelaunayArguments {
   FileArguments files;
   std::optional<int> dimension;
   std::string engine = "star";
+  bool flow = false;
   std::string report;
   bool quiet = false;
 };

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "tools/reproduce/detail/planar.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "core/dual.h"
+
+namespace sinkmesh::reproduce::detail {
+
+std::vector<Point2> sample_points() {
+  constexpr std::size_t kCount = 34;
+  constexpr double kSeparation2 = 0.075 * 0.075;
+  // The bits of the engine are specified, those of the standard distributions are not.
+  std::mt19937_64 engine(20010603);
+  const auto uniform = [&engine] { return std::ldexp(static_cast<double>(engine() >> 11), -53); };
+  std::vector<Point2> points;
+  while (points.size() < kCount) {
+    const double x = 1.1 * uniform();
+    const Point2 p = {x, uniform()};
+    const bool is_far = std::all_of(points.begin(), points.end(),
+                                    [&](const Point2& q) { return distance2(p, q) >= kSeparation2; });
+    if (is_far) points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<Simplex> solid_triangles(const Complex<2>& complex) {
+  std::vector<Simplex> solid;
+  for (const Simplex s : complex.simplices()) {
+    if (!complex.is_ghost(s)) solid.push_back(s);
+  }
+  return solid;
+}
+
+std::vector<Point2> triangle(const Triangulation<2>& triangulation, Simplex s) {
+  std::vector<Point2> corners;
+  for (int i = 0; i < 3; ++i) corners.push_back(triangulation.point(triangulation.complex().corner(s, i)));
+  return corners;
+}
+
+std::vector<std::vector<Point2>> triangles(const Triangulation<2>& triangulation,
+                                           std::span<const Simplex> set) {
+  std::vector<std::vector<Point2>> result;
+  for (const Simplex s : set) result.push_back(triangle(triangulation, s));
+  return result;
+}
+
+Segment edge(const Triangulation<2>& triangulation, HalfFacet h) {
+  const std::array<Vertex, 2> ends = triangulation.complex().facet(h);
+  return {triangulation.point(ends[0]), triangulation.point(ends[1])};
+}
+
+std::vector<Segment> edges(const Triangulation<2>& triangulation, std::span<const HalfFacet> half_edges) {
+  std::vector<Segment> result;
+  for (const HalfFacet h : half_edges) result.push_back(edge(triangulation, h));
+  return result;
+}
+
+std::vector<HalfFacet> edges_of(const Complex<2>& complex, std::span<const Simplex> set) {
+  std::vector<HalfFacet> result;
+  for (const Simplex s : set) {
+    for (int i = 0; i < 3; ++i) {
+      const HalfFacet h = Complex<2>::half_facet(s, i);
+      result.push_back(std::min(h, complex.mate(h)));
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::vector<std::vector<Point2>> outline(const Triangulation<2>& triangulation,
+                                         std::span<const HalfFacet> boundary) {
+  // Where polygons touch at a vertex, any way to go on covers the same area.
+  std::multimap<Vertex, Vertex> next;
+  for (const HalfFacet h : boundary) {
+    const std::array<Vertex, 2> ends = triangulation.complex().facet(h);
+    next.emplace(ends[0], ends[1]);
+  }
+  std::vector<std::vector<Point2>> polygons;
+  while (!next.empty()) {
+    std::vector<Point2>& polygon = polygons.emplace_back();
+    for (auto at = next.begin(); at != next.end();) {
+      const Vertex to = at->second;
+      polygon.push_back(triangulation.point(to));
+      next.erase(at);
+      at = next.find(to);
+    }
+  }
+  return polygons;
+}
+
+Ball delaunay_ball(const Triangulation<2>& triangulation, Simplex s) {
+  const Point2 center = dual_vertex(triangulation, s);
+  return {center, distance2(center, triangulation.point(triangulation.complex().corner(s, 0)))};
+}
+
+Ball incircle(const std::vector<Point2>& triangle) {
+  std::array<double, 3> side;  // opposite the corner
+  for (std::size_t i = 0; i < 3; ++i) {
+    side[i] = std::sqrt(distance2(triangle[(i + 1) % 3], triangle[(i + 2) % 3]));
+  }
+  const double around = side[0] + side[1] + side[2];
+  Point2 center = {0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 2; ++k) center[k] += side[i] / around * triangle[i][k];
+  }
+  const double half = around / 2;
+  return {center, std::max(0.0, (half - side[0]) * (half - side[1]) * (half - side[2]) / half)};
+}
+
+Box<2> bounding_box(std::span<const Point2> points) {
+  Box<2> box;
+  for (const Point2& p : points) box.include(p);
+  return box;
+}
+
+double distance2(const Point2& p, const Point2& q) {
+  return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
+}
+
+std::vector<Point2> place(const Frame& frame, const std::vector<Point2>& polygon) {
+  std::vector<Point2> result;
+  for (const Point2& p : polygon) result.push_back(frame(p));
+  return result;
+}
+
+std::vector<std::vector<Point2>> place(const Frame& frame, std::vector<std::vector<Point2>> polygons) {
+  for (std::vector<Point2>& polygon : polygons) polygon = place(frame, polygon);
+  return polygons;
+}
+
+std::vector<Segment> place(const Frame& frame, std::vector<Segment> segments) {
+  for (auto& [p, q] : segments) {
+    p = frame(p);
+    q = frame(q);
+  }
+  return segments;
+}
+
+std::vector<Ellipse> place_balls(const Frame& frame, const Triangulation<2>& triangulation,
+                                 std::span<const Simplex> set) {
+  std::vector<Ellipse> result;
+  for (const Simplex s : set) {
+    const Ball ball = delaunay_ball(triangulation, s);
+    const double radius = frame.scale() * std::sqrt(ball.radius2);
+    result.push_back({frame(ball.center), radius, radius});
+  }
+  return result;
+}
+
+}  // namespace sinkmesh::reproduce::detail

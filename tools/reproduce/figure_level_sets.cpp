@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+//
+// Both functions are minima of functions |y-z|^2 - r^2, so the points with values up to t are a union of discs
+// of square radius r^2 + t. Each level set is drawn as that union: exact, nothing is sampled.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/dual.h"
+#include "refine/flow.h"
+#include "tools/reproduce/detail/planar.h"
+#include "tools/reproduce/figures.h"
+
+namespace sinkmesh::reproduce {
+namespace {
+
+constexpr int kLevels = 12;
+
+// Lighter as the values grow: the highest level, which covers `region`, first.
+void draw_level_sets(SvgCanvas& canvas, const Frame& frame, const std::vector<detail::Ball>& balls, double low,
+                     double high, const std::vector<std::vector<Point2>>& region) {
+  canvas.polygons(region, "l" + std::to_string(kLevels - 1));
+  for (int k = kLevels - 1; k > 0; --k) {
+    const double level = low + (high - low) * k / kLevels;
+    std::vector<Ellipse> discs;
+    for (const detail::Ball& ball : balls) {
+      const double radius = frame.scale() * std::sqrt(std::max(0.0, ball.radius2 + level));
+      if (radius > 0) discs.push_back({frame(ball.center), radius, radius});
+    }
+    canvas.ellipses(discs, "l" + std::to_string(k - 1));
+  }
+}
+
+std::vector<Segment> voronoi_edges(const Triangulation<2>& triangulation, double length_of_rays) {
+  std::vector<Segment> result;
+  const Complex<2>& complex = triangulation.complex();
+  for (const HalfFacet h : detail::edges_of(complex, detail::solid_triangles(complex))) {
+    DualEdge<2> dual = dual_edge(triangulation, h);
+    if (dual.is_ray) {
+      const double scale = length_of_rays / std::hypot(dual.direction[0], dual.direction[1]);
+      for (std::size_t k = 0; k < 2; ++k) dual.end[k] = dual.start[k] + scale * dual.direction[k];
+    }
+    result.emplace_back(dual.start, dual.end);
+  }
+  return result;
+}
+
+void draw_sites(SvgCanvas& canvas, const Frame& frame, const std::vector<Point2>& points) {
+  for (const Point2& p : points) canvas.circle(frame(p), 4.5, "dot");
+}
+
+}  // namespace
+
+std::string figure_level_sets() {
+  const std::vector<Point2> points = detail::sample_points();
+  const Triangulation<2> triangulation(points);
+  const Complex<2>& complex = triangulation.complex();
+  const std::vector<Simplex> solid = detail::solid_triangles(complex);
+
+  std::vector<detail::Ball> sites;
+  for (const Point2& p : points) sites.push_back({p, 0});
+  std::vector<detail::Ball> balls;
+  for (const Simplex s : solid) balls.push_back(detail::delaunay_ball(triangulation, s));
+  // Both functions have the same extremes, 0 and the values at the sinks.
+  Flow<2> flow(triangulation);
+  double largest = 0;
+  const std::vector<Simplex> sinks = flow.sinks();
+  for (const Simplex s : sinks) largest = std::max(largest, detail::delaunay_ball(triangulation, s).radius2);
+
+  SvgCanvas canvas("figure-1", 1000, 500, "Level sets of the two square distance functions",
+                   "Left: level sets of pi, the square distance to the nearest of " +
+                       std::to_string(points.size()) +
+                       " points, under their Voronoi diagram. Right: level sets of phi, the smallest weighted "
+                       "square distance to a Delaunay sphere, under their Delaunay triangulation. Shades get "
+                       "lighter as the values grow.");
+  canvas.use_ramp(kLevels);
+  const Box<2> world = detail::bounding_box(points);
+  const Box<2> left = {{10, 10}, {490, 440}};
+  const Box<2> right = {{510, 10}, {990, 440}};
+
+  constexpr double kRim = 14;  // of picture around the points
+  const auto inner = [](const Box<2>& b) {
+    return Box<2>{{b.low[0] + kRim, b.low[1] + kRim}, {b.high[0] - kRim, b.high[1] - kRim}};
+  };
+  const Frame frame(world, inner(left));
+  const Point2 low = frame({world.low[0], world.high[1]});
+  const Point2 high = frame({world.high[0], world.low[1]});
+  const std::vector<std::vector<Point2>> window = {{{low[0] - kRim, low[1] - kRim},
+                                                    {high[0] + kRim, low[1] - kRim},
+                                                    {high[0] + kRim, high[1] + kRim},
+                                                    {low[0] - kRim, high[1] + kRim}}};
+  canvas.begin_clip(canvas.define_clip(window));
+  draw_level_sets(canvas, frame, sites, 0, largest, window);
+  canvas.segments(detail::place(frame, voronoi_edges(triangulation, 4)), "thin");
+  canvas.end_clip();
+  draw_sites(canvas, frame, points);
+
+  const Frame frame2(world, inner(right));
+  const std::vector<std::vector<Point2>> hull =
+      detail::place(frame2, detail::outline(triangulation, boundary(complex, std::span<const Simplex>(solid))));
+  canvas.begin_clip(canvas.define_clip(hull));
+  draw_level_sets(canvas, frame2, balls, -largest, 0, hull);
+  canvas.end_clip();
+  canvas.segments(detail::place(frame2, detail::edges(triangulation, detail::edges_of(complex, solid))),
+                  "thin");
+  for (const Simplex s : sinks) {
+    canvas.circle(frame2(detail::delaunay_ball(triangulation, s).center), 4.5, "mark");
+  }
+  draw_sites(canvas, frame2, points);
+
+  canvas.text({14, 477}, "<tspan class=\"it\">π</tspan> and Voronoi diagram", "text");
+  draw_ramp(canvas, {{300, 460}, {430, 482}}, kLevels, "0", "max");
+  canvas.text({514, 477}, "<tspan class=\"it\">φ</tspan>, Delaunay triangulation, sinks", "text");
+  draw_ramp(canvas, {{855, 460}, {965, 482}}, kLevels, "min", "0");
+  return canvas.take();
+}
+
+}  // namespace sinkmesh::reproduce
