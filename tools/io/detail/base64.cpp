@@ -11,9 +11,9 @@ namespace sinkmesh::io_detail {
 namespace {
 
 constexpr int kNotADigit = -1;
+constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 constexpr std::array<signed char, 256> digit_values() {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::array<signed char, 256> values{};
   values.fill(kNotADigit);
   for (std::size_t i = 0; i < kDigits.size(); ++i) {
@@ -56,6 +56,20 @@ std::string decode_base64(std::string_view& text, std::size_t limit) {
   }
   text.remove_prefix(i);
   if (out.size() > limit) out.resize(limit);
+  return out;
+}
+
+std::string encode_base64(std::string_view bytes) {
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) out += k <= count ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  }
   return out;
 }
 

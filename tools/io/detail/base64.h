@@ -13,4 +13,7 @@ namespace sinkmesh::io_detail {
 /// Blanks are passed over. `text` is advanced past what was read, in whole groups of four characters.
 std::string decode_base64(std::string_view& text, std::size_t limit);
 
+/// Encodes all bytes as one block, padded to whole groups, without line breaks.
+std::string encode_base64(std::string_view bytes);
+
 }  // namespace sinkmesh::io_detail
