@@ -71,9 +71,31 @@ void draw_set(SvgCanvas& canvas, const Frame& frame, const Triangulation<2>& tri
   }
 }
 
-void draw_point(SvgCanvas& canvas, const Point2& at) {
+// The name of x stands in the widest gap between the edges of its star.
+Point2 direction_of_gap(const Triangulation<2>& triangulation, std::span<const Simplex> star_of_x,
+                        const Point2& x) {
+  double shortest = HUGE_VAL;
+  Point2 direction = {0, 1};
+  for (const Simplex s : star_of_x) {
+    // Of the two unit vectors along the edges the sum is the shorter the wider their angle.
+    Point2 sum = {0, 0};
+    for (const Point2& p : detail::triangle(triangulation, s)) {
+      const double length = std::hypot(p[0] - x[0], p[1] - x[1]);
+      if (length > 0) sum = {sum[0] + (p[0] - x[0]) / length, sum[1] + (p[1] - x[1]) / length};
+    }
+    const double length = std::hypot(sum[0], sum[1]);
+    if (length > 0 && length < shortest) {
+      shortest = length;
+      direction = {sum[0] / length, sum[1] / length};
+    }
+  }
+  return direction;
+}
+
+void draw_point(SvgCanvas& canvas, const Point2& at, const Point2& direction) {
   canvas.circle(at, 6, "mark");
-  canvas.text({at[0] + 10, at[1] - 8}, "<tspan class=\"it\">x</tspan>", "name");
+  canvas.text({at[0] + 24 * direction[0], at[1] - 24 * direction[1] + 7}, "<tspan class=\"it\">x</tspan>",
+              "name", Anchor::middle);
 }
 
 }  // namespace
@@ -84,6 +106,7 @@ std::string figure_flowers() {
   const Example example = find_example(before, detail::bounding_box(points));
   Triangulation<2> after(points);
   const std::vector<Simplex> star_of_x = star(after.complex(), after.insert(example.x).vertex);
+  const Point2 gap = direction_of_gap(after, star_of_x, example.x);
 
   SvgCanvas canvas(
       "figure-5", 1000, 570, "A prestar, a star, and their flowers",
@@ -91,11 +114,10 @@ std::string figure_flowers() {
           " triangles of its prestar, with their Delaunay balls. Right: the triangulation after the "
           "insertion of x; bold edges bound the " +
           std::to_string(star_of_x.size()) +
-          " triangles of its star. Light: the flower of the prestar. Dark: what the flower of the "
+          " triangles of its star. Shaded weakly: the flower of the prestar; strongly: what the flower of the "
           "star has more.");
   canvas.rule(".name", "font-size:26px");
   canvas.rule(".balls", "fill:none;stroke:var(--c-muted);stroke-width:1.2;stroke-dasharray:5 4");
-  canvas.rule(".rim", "stroke:var(--c-ink);stroke-width:1.6;paint-order:stroke");
   Box<2> world = box_of_balls(after, star_of_x);
   world.include(box_of_balls(before, example.prestar).low);
   world.include(box_of_balls(before, example.prestar).high);
@@ -114,14 +136,14 @@ std::string figure_flowers() {
     canvas.ellipses(balls, "balls");
     draw_triangulation(canvas, frame, before);
     draw_set(canvas, frame, before, example.prestar);
-    draw_point(canvas, frame(example.x));
+    draw_point(canvas, frame(example.x), gap);
   });
   panel(510, [&](const Frame& frame) {
     canvas.ellipses(detail::place_balls(frame, after, star_of_x), "fill-3");
     canvas.ellipses(detail::place_balls(frame, before, example.prestar), "fill-1");
     draw_triangulation(canvas, frame, after);
     draw_set(canvas, frame, after, star_of_x);
-    draw_point(canvas, frame(example.x));
+    draw_point(canvas, frame(example.x), gap);
   });
 
   using Kind = LegendEntry::Kind;
