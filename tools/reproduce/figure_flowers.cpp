@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/star.h"
-#include "refine/quality.h"
 #include "tools/reproduce/detail/planar.h"
 #include "tools/reproduce/figures.h"
 
@@ -12,47 +12,78 @@ namespace sinkmesh::reproduce {
 namespace {
 
 struct Example {
-  Point2 x;
-  std::vector<Simplex> prestar;
+  Point2 x{};
+  std::vector<Simplex> prestar;  // before x is inserted
+  Triangulation<2> after;
+  std::vector<Simplex> star;
 };
 
-// A point with a large prestar whose flower stays among the points: of the centers of the triangles' incircles
-// the one with the most triangles, if several, with the smallest balls.
-Example find_example(Triangulation<2>& triangulation, const Box<2>& box) {
-  Example best;
-  double best_spread = HUGE_VAL;
-  for (const Simplex s : detail::solid_triangles(triangulation.complex())) {
-    const Point2 x = detail::incircle(detail::triangle(triangulation, s)).center;
-    const Point2 gated = triangulation.gate().in(x);
-    triangulation.announce(gated);
-    const std::vector<Simplex> set = prestar(triangulation, gated, s);
-    double spread = 0;
-    bool is_amid = true;
-    for (const Simplex t : set) {
-      const detail::Ball ball = detail::delaunay_ball(triangulation, t);
-      const double r = std::sqrt(ball.radius2);
-      spread = std::max(spread, r);
-      is_amid = is_amid && box.contains({ball.center[0] - r, ball.center[1] - r}) &&
-                box.contains({ball.center[0] + r, ball.center[1] + r});
-    }
-    if (!is_amid) continue;
-    if (set.size() > best.prestar.size() || (set.size() == best.prestar.size() && spread < best_spread)) {
-      best = {x, set};
-      best_spread = spread;
-    }
-  }
-  return best;
+std::vector<detail::Ball> balls_of(const Triangulation<2>& triangulation, std::span<const Simplex> set) {
+  std::vector<detail::Ball> balls;
+  for (const Simplex s : set) balls.push_back(detail::delaunay_ball(triangulation, s));
+  return balls;
 }
 
-Box<2> box_of_balls(const Triangulation<2>& triangulation, std::span<const Simplex> set) {
+Box<2> box_of(const std::vector<detail::Ball>& balls) {
   Box<2> box;
-  for (const Simplex s : set) {
-    const detail::Ball ball = detail::delaunay_ball(triangulation, s);
+  for (const detail::Ball& ball : balls) {
     const double r = std::sqrt(ball.radius2);
     box.include({ball.center[0] - r, ball.center[1] - r});
     box.include({ball.center[0] + r, ball.center[1] + r});
   }
   return box;
+}
+
+bool is_in_one_of(const std::vector<detail::Ball>& balls, const Point2& p) {
+  return std::any_of(balls.begin(), balls.end(), [&](const detail::Ball& ball) {
+    return detail::distance2(p, ball.center) <= ball.radius2;
+  });
+}
+
+// How much of the flower of the star is new; counted on a grid, good enough to choose what to show.
+double growth(const Triangulation<2>& before, const Example& example) {
+  constexpr int kSteps = 40;
+  const std::vector<detail::Ball> old_balls = balls_of(before, example.prestar);
+  const std::vector<detail::Ball> new_balls = balls_of(example.after, example.star);
+  const Box<2> box = box_of(new_balls);
+  int covered = 0;
+  int added = 0;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const Point2 p = {box.low[0] + (box.high[0] - box.low[0]) * i / kSteps,
+                        box.low[1] + (box.high[1] - box.low[1]) * j / kSteps};
+      if (!is_in_one_of(new_balls, p)) continue;
+      ++covered;
+      if (!is_in_one_of(old_balls, p)) ++added;
+    }
+  }
+  return static_cast<double>(added) / covered;
+}
+
+// Of the centers of the triangles' incircles one with at least four triangles in its prestar, with flowers that
+// stay among the points, and that grow the most.
+Example find_example(Triangulation<2>& before, const std::vector<Point2>& points) {
+  const Box<2> box = detail::bounding_box(points);
+  Example best{.x = {}, .prestar = {}, .after = before, .star = {}};
+  double most = 0;
+  for (const Simplex s : detail::solid_triangles(before.complex())) {
+    Example next{.x = detail::incircle(detail::triangle(before, s)).center,
+                 .prestar = {},
+                 .after = Triangulation<2>(points),
+                 .star = {}};
+    const Point2 gated = before.gate().in(next.x);
+    before.announce(gated);
+    next.prestar = prestar(before, gated, s);
+    if (next.prestar.size() < 4) continue;
+    next.star = star(next.after.complex(), next.after.insert(next.x).vertex);
+    const Box<2> flower = box_of(balls_of(next.after, next.star));
+    if (!box.contains(flower.low) || !box.contains(flower.high)) continue;
+    const double grown = growth(before, next);
+    if (grown <= most) continue;
+    most = grown;
+    best = std::move(next);
+  }
+  return best;
 }
 
 void draw_triangulation(SvgCanvas& canvas, const Frame& frame, const Triangulation<2>& triangulation) {
@@ -103,9 +134,9 @@ void draw_point(SvgCanvas& canvas, const Point2& at, const Point2& direction) {
 std::string figure_flowers() {
   const std::vector<Point2> points = detail::sample_points();
   Triangulation<2> before(points);
-  const Example example = find_example(before, detail::bounding_box(points));
-  Triangulation<2> after(points);
-  const std::vector<Simplex> star_of_x = star(after.complex(), after.insert(example.x).vertex);
+  const Example example = find_example(before, points);
+  const Triangulation<2>& after = example.after;
+  const std::vector<Simplex>& star_of_x = example.star;
   const Point2 gap = direction_of_gap(after, star_of_x, example.x);
 
   SvgCanvas canvas(
@@ -118,9 +149,8 @@ std::string figure_flowers() {
           "star has more.");
   canvas.rule(".name", "font-size:26px");
   canvas.rule(".balls", "fill:none;stroke:var(--c-muted);stroke-width:1.2;stroke-dasharray:5 4");
-  Box<2> world = box_of_balls(after, star_of_x);
-  world.include(box_of_balls(before, example.prestar).low);
-  world.include(box_of_balls(before, example.prestar).high);
+  // The flower of the star covers that of the prestar [EG01, Flower Lemma].
+  const Box<2> world = box_of(balls_of(after, star_of_x));
 
   const auto panel = [&](double left, auto&& draw) {
     const std::vector<std::vector<Point2>> window = {

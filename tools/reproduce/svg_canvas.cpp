@@ -73,7 +73,7 @@ std::string ramp_colour(const std::array<Rgb, 3>& stops, double t) {
   return hex(colour);
 }
 constexpr std::array<Rgb, 3> kLightRamp = {{{44, 86, 138}, {130, 178, 205}, {244, 247, 236}}};
-constexpr std::array<Rgb, 3> kDarkRamp = {{{13, 27, 48}, {38, 84, 122}, {118, 166, 186}}};
+constexpr std::array<Rgb, 3> kDarkRamp = {{{29, 56, 92}, {52, 105, 142}, {124, 172, 192}}};
 
 double rounded(double value) {
   const double result = std::round(100 * value) / 100;

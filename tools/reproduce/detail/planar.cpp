@@ -18,7 +18,7 @@ std::vector<Point2> sample_points() {
   constexpr std::size_t kCount = 40;
   constexpr double kPi = 3.14159265358979323846;
   // The bits of the engine are specified, those of the standard distributions are not.
-  std::mt19937_64 engine(20010603);
+  std::mt19937_64 engine(154);
   const auto uniform = [&engine] { return std::ldexp(static_cast<double>(engine() >> 11), -53); };
   std::vector<Point2> points;
   for (int k = 0; k < kOnRing; ++k) {
@@ -33,7 +33,7 @@ std::vector<Point2> sample_points() {
     const double y = 2 * uniform() - 1;
     const Point2 p = {1.1 * x, y};
     const bool is_far = std::all_of(points.begin(), points.end(),
-                                    [&](const Point2& q) { return distance2(p, q) >= 0.1 * 0.1; });
+                                    [&](const Point2& q) { return distance2(p, q) >= 0.16 * 0.16; });
     if (x * x * x * x + y * y * y * y < 0.6 && is_far) points.push_back(p);
   }
   return points;
