@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "core/dual.h"
@@ -27,8 +29,8 @@ std::vector<HalfFacet> find_crossings(Flow<2>& flow, const std::vector<Simplex>&
   return crossings;
 }
 
-// The crossing that shows best what the relation is: into a sink, from a triangle that is not flat and whose center is far beyond
-// the edge.
+// The crossing that shows best what the relation is: into a sink, from a triangle that is not flat and whose
+// center is far beyond the edge.
 HalfFacet clearest(const Triangulation<2>& triangulation, Flow<2>& flow,
                    const std::vector<HalfFacet>& crossings) {
   const Complex<2>& complex = triangulation.complex();
@@ -99,15 +101,16 @@ void draw_pair(SvgCanvas& canvas, const Triangulation<2>& triangulation, HalfFac
   const Segment voronoi = {z_from, z_to};
   canvas.segments({&voronoi, 1}, "voronoi");
 
-  // The arrow runs beside the bisector, the names of the centers are on the other side.
-  const Point2 start = frame(detail::incircle(detail::triangle(triangulation, from)).center);
+  // The arrow runs beside the bisector, names are on the other side of it, or of the arrow.
+  const Point2 inner = frame(detail::incircle(detail::triangle(triangulation, from)).center);
   const double length = std::hypot(z_to[0] - z_from[0], z_to[1] - z_from[1]);
   const Point2 along = {(z_to[0] - z_from[0]) / length, (z_to[1] - z_from[1]) / length};
-  constexpr double kReach = 130;
-  canvas.arrow(start, {start[0] + kReach * along[0], start[1] + kReach * along[1]}, 16, "flow");
-  const double side = along[0] * (start[1] - z_from[1]) - along[1] * (start[0] - z_from[0]) > 0 ? -1 : 1;
+  const double side = along[0] * (inner[1] - z_from[1]) - along[1] * (inner[0] - z_from[0]) > 0 ? -1 : 1;
   const Point2 beside = {-side * along[1], side * along[0]};
   const Anchor anchor = beside[0] < 0 ? Anchor::end : Anchor::start;
+  constexpr double kReach = 105;
+  const Point2 start = {inner[0] - 16 * beside[0], inner[1] - 16 * beside[1]};
+  canvas.arrow(start, {start[0] + kReach * along[0], start[1] + kReach * along[1]}, 16, "flow");
 
   for (const Simplex s : both) {
     for (const Point2& p : detail::triangle(triangulation, s)) canvas.circle(frame(p), 5, "dot");
@@ -117,13 +120,13 @@ void draw_pair(SvgCanvas& canvas, const Triangulation<2>& triangulation, HalfFac
   for (const auto& [z, index] : {std::pair(z_from, "τ"), std::pair(z_to, "σ")}) {
     canvas.text({z[0] + 14 * beside[0], z[1] + 14 * beside[1] + 7}, name("z", index), "text name", anchor);
   }
-  // The names of the triangles: towards the corners that they do not share.
+  canvas.text({inner[0] + 10 * beside[0], inner[1] + 10 * beside[1] + 7}, name("τ"), "text name",
+              Anchor::middle);
+  // Towards the corner that the triangles do not share.
   const Point2 m = middle({frame(shared.first), frame(shared.second)});
-  for (const auto& [half_edge, letter] : {std::pair(h, "τ"), std::pair(complex.mate(h), "σ")}) {
-    const Point2 apex = frame(triangulation.point(complex.apex(half_edge)));
-    canvas.text({0.4 * m[0] + 0.6 * apex[0], 0.4 * m[1] + 0.6 * apex[1] + 8}, name(letter), "text name",
-                Anchor::middle);
-  }
+  const Point2 apex = frame(triangulation.point(complex.apex(complex.mate(h))));
+  canvas.text({0.4 * m[0] + 0.6 * apex[0], 0.4 * m[1] + 0.6 * apex[1] + 8}, name("σ"), "text name",
+              Anchor::middle);
 }
 
 // The whole relation: an arrow for every pair, across the middle of the common edge.

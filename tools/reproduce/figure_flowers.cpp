@@ -34,34 +34,17 @@ Box<2> box_of(const std::vector<detail::Ball>& balls) {
   return box;
 }
 
-bool is_in_one_of(const std::vector<detail::Ball>& balls, const Point2& p) {
-  return std::any_of(balls.begin(), balls.end(), [&](const detail::Ball& ball) {
-    return detail::distance2(p, ball.center) <= ball.radius2;
-  });
-}
-
-// How much of the flower of the star is new; counted on a grid, good enough to choose what to show.
-double growth(const Triangulation<2>& before, const Example& example) {
-  constexpr int kSteps = 40;
-  const std::vector<detail::Ball> old_balls = balls_of(before, example.prestar);
-  const std::vector<detail::Ball> new_balls = balls_of(example.after, example.star);
-  const Box<2> box = box_of(new_balls);
-  int covered = 0;
-  int added = 0;
-  for (int i = 0; i <= kSteps; ++i) {
-    for (int j = 0; j <= kSteps; ++j) {
-      const Point2 p = {box.low[0] + (box.high[0] - box.low[0]) * i / kSteps,
-                        box.low[1] + (box.high[1] - box.low[1]) * j / kSteps};
-      if (!is_in_one_of(new_balls, p)) continue;
-      ++covered;
-      if (!is_in_one_of(old_balls, p)) ++added;
-    }
+// By how much the flower grows on that side, of four, on which it grows the least; as a fraction of its size.
+double growth(const Box<2>& before, const Box<2>& after) {
+  double least = HUGE_VAL;
+  for (std::size_t k = 0; k < 2; ++k) {
+    least = std::min({least, before.low[k] - after.low[k], after.high[k] - before.high[k]});
   }
-  return static_cast<double>(added) / covered;
+  return least / std::max(after.high[0] - after.low[0], after.high[1] - after.low[1]);
 }
 
 // Of the centers of the triangles' incircles one with at least four triangles in its prestar, with flowers that
-// stay among the points, and that grow the most.
+// stay among the points, and grow on all sides.
 Example find_example(Triangulation<2>& before, const std::vector<Point2>& points) {
   const Box<2> box = detail::bounding_box(points);
   Example best{.x = {}, .prestar = {}, .after = before, .star = {}};
@@ -78,7 +61,7 @@ Example find_example(Triangulation<2>& before, const std::vector<Point2>& points
     next.star = star(next.after.complex(), next.after.insert(next.x).vertex);
     const Box<2> flower = box_of(balls_of(next.after, next.star));
     if (!box.contains(flower.low) || !box.contains(flower.high)) continue;
-    const double grown = growth(before, next);
+    const double grown = growth(box_of(balls_of(before, next.prestar)), flower);
     if (grown <= most) continue;
     most = grown;
     best = std::move(next);

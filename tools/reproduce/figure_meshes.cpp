@@ -3,6 +3,7 @@
 // Figures 6 and 7: what the schedules make of the USA data set.
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "refine/quality.h"

@@ -20,12 +20,14 @@ std::vector<Point2> sample_points() {
   // The bits of the engine are specified, those of the standard distributions are not.
   std::mt19937_64 engine(154);
   const auto uniform = [&engine] { return std::ldexp(static_cast<double>(engine() >> 11), -53); };
+  // The norm whose unit circle is the rounded square.
+  const auto rounding = [](double x, double y) { return std::cbrt(std::abs(x * x * x) + std::abs(y * y * y)); };
   std::vector<Point2> points;
   for (int k = 0; k < kOnRing; ++k) {
     const double angle = 2 * kPi * (k + 0.5 * uniform()) / kOnRing;
     const double x = std::cos(angle);
     const double y = std::sin(angle);
-    const double radius = (1 - 0.03 * uniform()) / std::pow(x * x * x * x + y * y * y * y, 0.25);
+    const double radius = (1 - 0.03 * uniform()) / rounding(x, y);
     points.push_back({1.1 * radius * x, radius * y});
   }
   while (points.size() < kCount) {
@@ -33,8 +35,8 @@ std::vector<Point2> sample_points() {
     const double y = 2 * uniform() - 1;
     const Point2 p = {1.1 * x, y};
     const bool is_far = std::all_of(points.begin(), points.end(),
-                                    [&](const Point2& q) { return distance2(p, q) >= 0.16 * 0.16; });
-    if (x * x * x * x + y * y * y * y < 0.6 && is_far) points.push_back(p);
+                                    [&](const Point2& q) { return distance2(p, q) >= 0.14 * 0.14; });
+    if (rounding(x, y) < 0.87 && is_far) points.push_back(p);
   }
   return points;
 }
