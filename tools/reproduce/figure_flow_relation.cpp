@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "core/dual.h"
@@ -27,8 +29,8 @@ std::vector<HalfFacet> find_crossings(Flow<2>& flow, const std::vector<Simplex>&
   return crossings;
 }
 
-// The crossing that shows best what the relation is: into a sink, from a triangle that is not flat and whose center is far beyond
-// the edge.
+// The crossing that shows best what the relation is: into a sink, from a triangle that is not flat and whose
+// center is far beyond the edge.
 HalfFacet clearest(const Triangulation<2>& triangulation, Flow<2>& flow,
                    const std::vector<HalfFacet>& crossings) {
   const Complex<2>& complex = triangulation.complex();
@@ -80,9 +82,9 @@ void draw_pair(SvgCanvas& canvas, const Triangulation<2>& triangulation, HalfFac
   world.include({ball.center[0] + radius, ball.center[1] + radius});
   const Frame frame(world, picture);
 
-  canvas.ellipses(detail::place_balls(frame, triangulation, std::span<const Simplex>(&from, 1)), "dashed");
   canvas.polygon(detail::place(frame, detail::triangle(triangulation, to)), "fill-2");
   canvas.polygon(detail::place(frame, detail::triangle(triangulation, from)), "fill-1");
+  canvas.ellipses(detail::place_balls(frame, triangulation, std::span<const Simplex>(&from, 1)), "dashed");
   const std::array<Simplex, 2> both = {from, to};
   canvas.segments(detail::place(frame, detail::edges(triangulation, detail::edges_of(complex, both))), "bold");
   const Segment shared = detail::edge(triangulation, h);
@@ -93,27 +95,38 @@ void draw_pair(SvgCanvas& canvas, const Triangulation<2>& triangulation, HalfFac
   canvas.segments({&line, 1}, "dashed");
   canvas.end_clip();
 
-  // The arrow crosses the common edge, beside the bisector so that both are seen.
-  const Point2 start = frame(detail::incircle(detail::triangle(triangulation, from)).center);
-  const Point2 end = frame(detail::incircle(detail::triangle(triangulation, to)).center);
   const DualEdge<2> dual = dual_edge(triangulation, h);
   const Point2 z_from = frame(dual.start);
   const Point2 z_to = frame(dual.end);
+  const Segment voronoi = {z_from, z_to};
+  canvas.segments({&voronoi, 1}, "voronoi");
+
+  // The arrow runs beside the bisector, names are on the other side of it, or of the arrow.
+  const Point2 inner = frame(detail::incircle(detail::triangle(triangulation, from)).center);
   const double length = std::hypot(z_to[0] - z_from[0], z_to[1] - z_from[1]);
   const Point2 along = {(z_to[0] - z_from[0]) / length, (z_to[1] - z_from[1]) / length};
-  const double reach = 0.5 * std::hypot(end[0] - start[0], end[1] - start[1]);
-  canvas.arrow(start, {start[0] + 2 * reach * along[0], start[1] + 2 * reach * along[1]}, 16, "flow");
-  static_cast<void>(end);
+  const double side = along[0] * (inner[1] - z_from[1]) - along[1] * (inner[0] - z_from[0]) > 0 ? -1 : 1;
+  const Point2 beside = {-side * along[1], side * along[0]};
+  const Anchor anchor = beside[0] < 0 ? Anchor::end : Anchor::start;
+  constexpr double kReach = 105;
+  const Point2 start = {inner[0] - 16 * beside[0], inner[1] - 16 * beside[1]};
+  canvas.arrow(start, {start[0] + kReach * along[0], start[1] + kReach * along[1]}, 16, "flow");
 
   for (const Simplex s : both) {
     for (const Point2& p : detail::triangle(triangulation, s)) canvas.circle(frame(p), 5, "dot");
   }
   canvas.circle(z_from, 6, "mark");
   canvas.circle(z_to, 6, "mark");
-  canvas.text({z_from[0] + 12, z_from[1] + 6}, name("z", "τ"), "text name");
-  canvas.text({z_to[0] + 12, z_to[1] + 6}, name("z", "σ"), "text name");
-  canvas.text({start[0] - 26, start[1] + 7}, name("τ"), "text name");
-  canvas.text({end[0] - 40, end[1] + 7}, name("σ"), "text name");
+  for (const auto& [z, index] : {std::pair(z_from, "τ"), std::pair(z_to, "σ")}) {
+    canvas.text({z[0] + 14 * beside[0], z[1] + 14 * beside[1] + 7}, name("z", index), "text name", anchor);
+  }
+  canvas.text({inner[0] + 10 * beside[0], inner[1] + 10 * beside[1] + 7}, name("τ"), "text name",
+              Anchor::middle);
+  // Towards the corner that the triangles do not share.
+  const Point2 m = middle({frame(shared.first), frame(shared.second)});
+  const Point2 apex = frame(triangulation.point(complex.apex(complex.mate(h))));
+  canvas.text({0.4 * m[0] + 0.6 * apex[0], 0.4 * m[1] + 0.6 * apex[1] + 8}, name("σ"), "text name",
+              Anchor::middle);
 }
 
 // The whole relation: an arrow for every pair, across the middle of the common edge.
@@ -140,7 +153,7 @@ void draw_relation(SvgCanvas& canvas, const Triangulation<2>& triangulation, Flo
   for (const HalfFacet h : crossings) {
     const auto [p, q] = detail::edge(triangulation, h);
     const detail::Ball circle = detail::incircle(detail::triangle(triangulation, Complex<2>::simplex_of(h)));
-    const double half = std::clamp(frame.scale() * std::sqrt(circle.radius2), 8.0, 16.0);
+    const double half = std::clamp(0.8 * frame.scale() * std::sqrt(circle.radius2), 8.0, 13.0);
     // Half-edges are counterclockwise seen from outside, that is, outside is on their left.
     const Segment across = bisector({frame(q), frame(p)}, half);
     canvas.arrow(across.first, across.second, 9, "flow");
@@ -166,6 +179,7 @@ std::string figure_flow_relation() {
           " pairs as arrows; arrows out of the hull lead to omega. Triangles without successor, the "
           "sinks, are shaded.");
   canvas.rule(".name", "font-size:26px");
+  canvas.rule(".voronoi", "fill:none;stroke:var(--c-ink);stroke-width:2");
   canvas.rule(".index", "font-size:19px");
   draw_pair(canvas, triangulation, pair, {{14, 14}, {460, 450}});
   draw_relation(canvas, triangulation, flow, solid, crossings, pair, {{510, 24}, {980, 450}});

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// A landscape seen from the south, its height -phi: phi decreases from bottom to top, as in the paper. It is built of
-// terraces. The points of height t or more are a union of discs (figure_level_sets.cpp), in the oblique
+// A landscape seen from the south, its height -phi: phi decreases from bottom to top, as in the paper. It is
+// built of terraces. The points of height t or more are a union of discs (figure_level_sets.cpp), in the oblique
 // projection a union of ellipses; the projection of a layer hides exactly those parts of lower ones that lie
 // behind it, so drawing from bottom to top is drawing from back to front.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "refine/flow.h"
 #include "refine/refine.h"
 #include "tools/reproduce/detail/planar.h"
 #include "tools/reproduce/figures.h"
@@ -23,6 +24,7 @@ struct Patch {
   std::vector<Point2> corners;
   detail::Ball ball;
   double height;  // the largest of -phi
+  bool is_sink;
 };
 
 // The square distance of a point from a triangle.
@@ -42,11 +44,12 @@ double distance2_to(const std::vector<Point2>& triangle, const Point2& p) {
 }
 
 std::vector<Patch> find_patches(const Triangulation<2>& triangulation, const std::vector<Simplex>& inside) {
+  Flow<2> flow(triangulation);
   std::vector<Patch> patches;
   for (const Simplex s : inside) {
     const std::vector<Point2> corners = detail::triangle(triangulation, s);
     const detail::Ball ball = detail::delaunay_ball(triangulation, s);
-    patches.push_back({corners, ball, ball.radius2 - distance2_to(corners, ball.center)});
+    patches.push_back({corners, ball, ball.radius2 - distance2_to(corners, ball.center), flow.is_sink(s)});
   }
   return patches;
 }
@@ -121,7 +124,7 @@ std::string figure_graph_of_phi(const Surface2& usa) {
   for (const Patch& patch : patches) top = std::max(top, patch.height);
 
   SvgCanvas canvas(
-      "figure-3", 1000, 700, "The graph of phi",
+      "figure-3", 1000, 570, "The graph of phi",
       "The graph of phi over the USA data set, seen from the south, with function values decreasing "
       "from bottom to top: " +
           std::to_string(patches.size()) + " paraboloid patches, one for each triangle, cut into " +
@@ -132,7 +135,7 @@ std::string figure_graph_of_phi(const Surface2& usa) {
 
   Box<2> ground;
   for (const Point2& p : usa.points) ground.include({p[0], kForeshortening * p[1]});
-  const Oblique view(Frame(ground, {{12, 180}, {988, 640}}), kTop / top);
+  const Oblique view(Frame(ground, {{12, 95}, {988, 555}}), kTop / top);
   std::vector<std::vector<Point2>> shore = detail::outline(triangulation, mesher.domain().boundary());
   for (std::vector<Point2>& polygon : shore) {
     for (Point2& p : polygon) p = view(p);
@@ -140,13 +143,22 @@ std::string figure_graph_of_phi(const Surface2& usa) {
   const int clip = canvas.define_clip(shore);
   const std::vector<Segment> edges =
       detail::edges(triangulation, detail::edges_of(triangulation.complex(), inside));
-  canvas.polygons(shore, "l0");
+  canvas.polygons(shore, "layer l" + std::to_string(kLayers - 1));
   for (int k = 0; k < kLayers; ++k) {
     const double height = top * k / kLayers;
-    if (k > 0) draw_layer(canvas, view, clip, patches, height, "l" + std::to_string(k));
-    canvas.segments(seams(view, edges, height, top * (k + 1) / kLayers), "seam");
+    if (k > 0) draw_layer(canvas, view, clip, patches, height, "l" + std::to_string(kLayers - 1 - k));
+    const double above = top * (k + 1) / kLayers;
+    canvas.segments(seams(view, edges, height, above), "seam");
+    for (const Patch& patch : patches) {
+      const double summit = patch.ball.radius2;
+      if (patch.is_sink && height < summit && summit <= above) {
+        canvas.circle(view(patch.ball.center, summit), 3.4, "mark");
+      }
+    }
   }
-  canvas.text({14, 684}, "height <tspan class=\"it\">−φ</tspan>: vertices", "text");
+  draw_ramp(canvas, {{715, 36}, {935, 58}}, kLayers, "φ: min", "0");
+  const LegendEntry sinks = {LegendEntry::Kind::dot, "mark", "sinks, the minima of φ"};
+  draw_legend(canvas, {711, 92}, {&sinks, 1});
   return canvas.take();
 }
 

@@ -45,10 +45,6 @@ std::vector<Segment> voronoi_edges(const Triangulation<2>& triangulation, double
   return result;
 }
 
-void draw_sites(SvgCanvas& canvas, const Frame& frame, const std::vector<Point2>& points) {
-  for (const Point2& p : points) canvas.circle(frame(p), 4.5, "dot");
-}
-
 }  // namespace
 
 std::string figure_level_sets() {
@@ -67,51 +63,47 @@ std::string figure_level_sets() {
   const std::vector<Simplex> sinks = flow.sinks();
   for (const Simplex s : sinks) largest = std::max(largest, detail::delaunay_ball(triangulation, s).radius2);
 
-  SvgCanvas canvas("figure-1", 1000, 500, "Level sets of the two square distance functions",
-                   "Left: level sets of pi, the square distance to the nearest of " +
-                       std::to_string(points.size()) +
-                       " points, under their Voronoi diagram. Right: level sets of phi, the smallest weighted "
-                       "square distance to a Delaunay sphere, under their Delaunay triangulation. Shades get "
-                       "lighter as the values grow.");
+  SvgCanvas canvas(
+      "figure-1", 1000, 550, "Level sets of the two square distance functions",
+      "Left: level sets of pi, the square distance to the nearest of " + std::to_string(points.size()) +
+          " points, under their Voronoi diagram. Right: level sets of phi, the smallest weighted "
+          "square distance to a Delaunay sphere, under their Delaunay triangulation. Shades get "
+          "lighter as the values grow. Both functions have their extremes at the points and at the " +
+          std::to_string(sinks.size()) + " sinks.");
   canvas.use_ramp(kLevels);
   const Box<2> world = detail::bounding_box(points);
-  const Box<2> left = {{10, 10}, {490, 440}};
-  const Box<2> right = {{510, 10}, {990, 440}};
-
-  constexpr double kRim = 14;  // of picture around the points
-  const auto inner = [](const Box<2>& b) {
-    return Box<2>{{b.low[0] + kRim, b.low[1] + kRim}, {b.high[0] - kRim, b.high[1] - kRim}};
+  const auto draw_extremes = [&](const Frame& frame) {
+    for (const Simplex s : sinks) {
+      canvas.circle(frame(detail::delaunay_ball(triangulation, s).center), 4, "mark");
+    }
+    for (const Point2& p : points) canvas.circle(frame(p), 4.5, "dot");
   };
-  const Frame frame(world, inner(left));
-  const Point2 low = frame({world.low[0], world.high[1]});
-  const Point2 high = frame({world.high[0], world.low[1]});
-  const std::vector<std::vector<Point2>> window = {{{low[0] - kRim, low[1] - kRim},
-                                                    {high[0] + kRim, low[1] - kRim},
-                                                    {high[0] + kRim, high[1] + kRim},
-                                                    {low[0] - kRim, high[1] + kRim}}};
+
+  const Frame left(world, {{24, 24}, {476, 436}});
+  const std::vector<std::vector<Point2>> window = {{{10, 10}, {490, 10}, {490, 450}, {10, 450}}};
   canvas.begin_clip(canvas.define_clip(window));
-  draw_level_sets(canvas, frame, sites, 0, largest, window);
-  canvas.segments(detail::place(frame, voronoi_edges(triangulation, 4)), "thin");
+  draw_level_sets(canvas, left, sites, 0, largest, window);
+  canvas.segments(detail::place(left, voronoi_edges(triangulation, 4)), "thin");
   canvas.end_clip();
-  draw_sites(canvas, frame, points);
+  draw_extremes(left);
 
-  const Frame frame2(world, inner(right));
+  const Frame right(world, {{524, 24}, {976, 436}});
   const std::vector<std::vector<Point2>> hull =
-      detail::place(frame2, detail::outline(triangulation, boundary(complex, std::span<const Simplex>(solid))));
+      detail::place(right, detail::outline(triangulation, boundary(complex, std::span<const Simplex>(solid))));
   canvas.begin_clip(canvas.define_clip(hull));
-  draw_level_sets(canvas, frame2, balls, -largest, 0, hull);
+  draw_level_sets(canvas, right, balls, -largest, 0, hull);
   canvas.end_clip();
-  canvas.segments(detail::place(frame2, detail::edges(triangulation, detail::edges_of(complex, solid))),
-                  "thin");
-  for (const Simplex s : sinks) {
-    canvas.circle(frame2(detail::delaunay_ball(triangulation, s).center), 4.5, "mark");
-  }
-  draw_sites(canvas, frame2, points);
+  canvas.segments(detail::place(right, detail::edges(triangulation, detail::edges_of(complex, solid))), "thin");
+  draw_extremes(right);
 
-  canvas.text({14, 477}, "<tspan class=\"it\">π</tspan> and Voronoi diagram", "text");
-  draw_ramp(canvas, {{300, 460}, {430, 482}}, kLevels, "0", "max");
-  canvas.text({514, 477}, "<tspan class=\"it\">φ</tspan>, Delaunay triangulation, sinks", "text");
-  draw_ramp(canvas, {{855, 460}, {965, 482}}, kLevels, "min", "0");
+  canvas.text({12, 485}, "<tspan class=\"it\">π</tspan> and Voronoi diagram", "text");
+  draw_ramp(canvas, {{350, 468}, {430, 490}}, kLevels, "0", "max");
+  canvas.text({512, 485}, "<tspan class=\"it\">φ</tspan> and Delaunay triangulation", "text");
+  draw_ramp(canvas, {{892, 468}, {970, 490}}, kLevels, "min", "0");
+  using Kind = LegendEntry::Kind;
+  const std::vector<LegendEntry> legend = {{Kind::dot, "dot", "points: minima of π, maxima of φ"},
+                                           {Kind::dot, "mark", "sinks: maxima of π, minima of φ"}};
+  draw_legend(canvas, {120, 534}, legend);
   return canvas.take();
 }
 

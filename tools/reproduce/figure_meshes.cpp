@@ -3,6 +3,7 @@
 // Figures 6 and 7: what the schedules make of the USA data set.
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "refine/quality.h"
@@ -82,10 +83,11 @@ std::string figure_first_sinks(const Surface2& usa) {
     const Frame frame(detail::bounding_box(usa.points), {corner, {corner[0] + 580, corner[1] + 360}});
     draw_mesh(canvas, frame, mesh, usa.points.size(), 5);
     const std::size_t added = mesh.points.size() - usa.points.size();
-    canvas.text(
-        {corner[0] + 290, corner[1] + 388},
-        (added == 0 ? "no sink" : count_of(added, "sink")) + ": " + count_of(mesh.simplices.size(), "triangle"),
-        "text", Anchor::middle);
+    canvas.text({corner[0] + 290, corner[1] + 388},
+                (added == 0 ? "no sink" : count_of(added, "sink")) + ": " +
+                    count_of(mesh.simplices.size(), "triangle") + ", " +
+                    std::to_string(mesher.statistics(kRatio).low_quality()) + " of low quality",
+                "text", Anchor::middle);
   }
   draw_common_legend(canvas, 850, "sinks added");
   return canvas.take();

@@ -9,7 +9,7 @@
 namespace sinkmesh::reproduce {
 namespace {
 
-constexpr double kTextSize = 20;
+constexpr double kLargestRadius = 2e4;
 
 struct Colour {
   std::string_view name;
@@ -73,7 +73,7 @@ std::string ramp_colour(const std::array<Rgb, 3>& stops, double t) {
   return hex(colour);
 }
 constexpr std::array<Rgb, 3> kLightRamp = {{{44, 86, 138}, {130, 178, 205}, {244, 247, 236}}};
-constexpr std::array<Rgb, 3> kDarkRamp = {{{13, 27, 48}, {38, 84, 122}, {118, 166, 186}}};
+constexpr std::array<Rgb, 3> kDarkRamp = {{{29, 56, 92}, {52, 105, 142}, {124, 172, 192}}};
 
 double rounded(double value) {
   const double result = std::round(100 * value) / 100;
@@ -90,7 +90,7 @@ Frame::Frame(const Box<2>& world, const Box<2>& picture)
 
 SvgCanvas::SvgCanvas(std::string_view id, double width, double height, std::string_view title,
                      std::string_view description)
-    : id_(id) {
+    : id_(id), width_(width), height_(height) {
   head_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"" << id << "\" viewBox=\"0 0 " << width << ' '
         << height << "\" role=\"img\" aria-labelledby=\"" << id << "-title " << id << "-desc\"><title id=\""
         << id << "-title\">" << escape(title) << "</title><desc id=\"" << id << "-desc\">"
@@ -167,11 +167,32 @@ void SvgCanvas::segments(std::span<const Segment> segments, std::string_view cla
   body_ << "\"/>\n";
 }
 
+// Renderers compute with 32 bits. So of an ellipse that is huge only the part near the picture is drawn, as a
+// polygon whose sides are less than a tenth of a unit off; and in the direction in which whole ones run.
+void SvgCanvas::visible_arc(const Ellipse& e) {
+  constexpr int kSteps = 128;
+  const double reach = 2 * (width_ + height_);
+  const auto at = [&](double angle, double shrink) {
+    return Point2{e.center[0] + shrink * e.rx * std::cos(angle), e.center[1] + shrink * e.ry * std::sin(angle)};
+  };
+  const double towards = std::atan2((height_ / 2 - e.center[1]) / e.ry, (width_ / 2 - e.center[0]) / e.rx);
+  const double radius = std::min(e.rx, e.ry);
+  const double half = std::min(1.0, reach / radius);
+  for (int k = 0; k <= kSteps; ++k) place(k == 0 ? 'M' : 'L', at(towards + half * (1 - 2.0 * k / kSteps), 1));
+  const double shrink = std::max(0.5, 1 - reach / radius);
+  place('L', at(towards - half, shrink)).place('L', at(towards + half, shrink));
+  body_ << 'z';
+}
+
 void SvgCanvas::ellipses(std::span<const Ellipse> ellipses, std::string_view classes) {
   if (ellipses.empty()) return;
   begin("path", classes);
   body_ << " d=\"";
   for (const Ellipse& e : ellipses) {
+    if (std::max(e.rx, e.ry) > kLargestRadius) {
+      visible_arc(e);
+      continue;
+    }
     // Two half turns; all in the same direction, so that overlaps are filled.
     place('M', {e.center[0] - e.rx, e.center[1]});
     for (const double step : {2 * e.rx, -2 * e.rx}) {
@@ -252,41 +273,6 @@ std::string escape(std::string_view text) {
     }
   }
   return result;
-}
-
-void draw_legend(SvgCanvas& canvas, const Point2& at, std::span<const LegendEntry> entries) {
-  constexpr double kSwatch = 26;
-  double x = at[0];
-  for (const LegendEntry& entry : entries) {
-    const double y = at[1] - 0.32 * kTextSize;
-    switch (entry.kind) {
-      case LegendEntry::Kind::area:
-        canvas.rectangle({{x, y - 9}, {x + kSwatch, y + 9}}, entry.classes);
-        break;
-      case LegendEntry::Kind::line: {
-        const Segment segment = {{x, y}, {x + kSwatch, y}};
-        canvas.segments({&segment, 1}, entry.classes);
-        break;
-      }
-      case LegendEntry::Kind::dot:
-        canvas.circle({x + kSwatch / 2, y}, 5.5, entry.classes);
-        break;
-    }
-    canvas.text({x + kSwatch + 9, at[1]}, escape(entry.words), "text");
-    // A wide estimate of the width of the words; bytes, but letters beyond ASCII are rare.
-    x += kSwatch + 9 + 0.53 * kTextSize * static_cast<double>(entry.words.size()) + 24;
-  }
-}
-
-void draw_ramp(SvgCanvas& canvas, const Box<2>& box, int levels, std::string_view low, std::string_view high) {
-  const double width = (box.high[0] - box.low[0]) / levels;
-  for (int k = 0; k < levels; ++k) {
-    const double x = box.low[0] + k * width;
-    canvas.rectangle({{x, box.low[1]}, {x + width, box.high[1]}}, "l" + std::to_string(k));
-  }
-  const double baseline = (box.low[1] + box.high[1]) / 2 + 0.35 * kTextSize;
-  canvas.text({box.low[0] - 8, baseline}, escape(low), "text", Anchor::end);
-  canvas.text({box.high[0] + 8, baseline}, escape(high), "text");
 }
 
 }  // namespace sinkmesh::reproduce

@@ -90,9 +90,12 @@ class SvgCanvas {
   SvgCanvas& number(double value);
   SvgCanvas& place(char command, const Point2& p);
   void path(std::span<const std::vector<Point2>> polygons);
+  void visible_arc(const Ellipse& ellipse);
   void begin(std::string_view element, std::string_view classes);
 
   std::string id_;
+  double width_;
+  double height_;
   int num_clips_ = 0;
   io_detail::TextWriter head_;
   io_detail::TextWriter style_;

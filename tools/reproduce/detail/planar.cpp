@@ -11,19 +11,32 @@
 
 namespace sinkmesh::reproduce::detail {
 
+// A ring of points on a rounded square, a little uneven, and random ones inside: so few triangles at the hull
+// are so flat that they would drown the rest.
 std::vector<Point2> sample_points() {
-  constexpr std::size_t kCount = 34;
-  constexpr double kSeparation2 = 0.075 * 0.075;
+  constexpr int kOnRing = 16;
+  constexpr std::size_t kCount = 40;
+  constexpr double kPi = 3.14159265358979323846;
   // The bits of the engine are specified, those of the standard distributions are not.
-  std::mt19937_64 engine(20010603);
+  std::mt19937_64 engine(154);
   const auto uniform = [&engine] { return std::ldexp(static_cast<double>(engine() >> 11), -53); };
+  // The norm whose unit circle is the rounded square.
+  const auto rounding = [](double x, double y) { return std::cbrt(std::abs(x * x * x) + std::abs(y * y * y)); };
   std::vector<Point2> points;
+  for (int k = 0; k < kOnRing; ++k) {
+    const double angle = 2 * kPi * (k + 0.5 * uniform()) / kOnRing;
+    const double x = std::cos(angle);
+    const double y = std::sin(angle);
+    const double radius = (1 - 0.03 * uniform()) / rounding(x, y);
+    points.push_back({1.1 * radius * x, radius * y});
+  }
   while (points.size() < kCount) {
-    const double x = 1.1 * uniform();
-    const Point2 p = {x, uniform()};
+    const double x = 2 * uniform() - 1;
+    const double y = 2 * uniform() - 1;
+    const Point2 p = {1.1 * x, y};
     const bool is_far = std::all_of(points.begin(), points.end(),
-                                    [&](const Point2& q) { return distance2(p, q) >= kSeparation2; });
-    if (is_far) points.push_back(p);
+                                    [&](const Point2& q) { return distance2(p, q) >= 0.14 * 0.14; });
+    if (rounding(x, y) < 0.87 && is_far) points.push_back(p);
   }
   return points;
 }
