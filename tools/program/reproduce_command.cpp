@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "tools/program/reproduce_command.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "tools/io/detail/file.h"
+#include "tools/io/file_error.h"
+#include "tools/models/models.h"
+#include "tools/program/files.h"
+#include "tools/program/progress.h"
+#include "tools/program/text.h"
+#include "tools/reproduce/reproduce.h"
+
+namespace sinkmesh::program {
+namespace {
+
+// The folder, made if it is not there.
+std::filesystem::path output_folder(const std::string& name) {
+  std::error_code error;
+  std::filesystem::create_directories(name, error);
+  if (!std::filesystem::is_directory(name)) {
+    throw FileError(name, "is no folder, and cannot be made one; give another with --out");
+  }
+  return name;
+}
+
+}  // namespace
+
+CLI::App* add_reproduce_command(CLI::App& program, ReproduceArguments& arguments) {
+  CLI::App* const command = program.add_subcommand(
+      "reproduce", "Every table and figure of the paper, computed anew, as one page to look at");
+  command->add_option("--out", arguments.folder, "Folder for index.html, results.json, runs.csv, rounds.csv")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_flag("-q,--quiet", arguments.quiet, "No summary, no progress");
+  command->footer("Example:\n  sinkmesh reproduce --out paper && xdg-open paper/index.html");
+  return command;
+}
+
+ExitStatus run(const ReproduceArguments& arguments) {
+  const std::filesystem::path folder = output_folder(arguments.folder);
+  for (const char* const name : {"index.html", "results.json", "runs.csv", "rounds.csv"}) {
+    check_writable((folder / name).string());
+  }
+  ProgressLine progress(!arguments.quiet);
+  progress.phase("generating the models");
+  const reproduce::Models models = {models::make_usa(), models::paper_models_in_space()};
+  const reproduce::Reproduction result =
+      reproduce::reproduce(models, reproduce::describe_machine(),
+                           [&progress](std::string_view what) { progress.phase(what); });
+  io_detail::write_file((folder / "results.json").string(), result.json);
+  io_detail::write_file((folder / "runs.csv").string(), result.runs_csv);
+  io_detail::write_file((folder / "rounds.csv").string(), result.rounds_csv);
+  io_detail::write_file((folder / "index.html").string(), result.page);
+  progress.erase();
+  if (!arguments.quiet) print(fmt::format("open {} in a browser\n", (folder / "index.html").string()));
+  return ExitStatus::done;
+}
+
+}  // namespace sinkmesh::program

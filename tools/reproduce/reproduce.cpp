@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "tools/reproduce/reproduce.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "refine/refine.h"
+#include "tools/reproduce/data_files.h"
+#include "tools/reproduce/figures.h"
+#include "tools/reproduce/model_views.h"
+#include "tools/reproduce/page.h"
+#include "tools/reproduce/shaded_view.h"
+#include "tools/reproduce/svg_canvas.h"
+
+namespace sinkmesh::reproduce {
+namespace {
+
+constexpr double kPlaneRatio = 1.0;
+constexpr double kSpaceRatio = 2.0;
+constexpr int kPictureWidth = 760;
+
+// Of each model. The literal rounds of the schedule whose evolution is charted; all others pruned.
+std::vector<Plan> plans(int dimension) {
+  std::vector<Plan> result;
+  for (const Insert insert : {Insert::sink, Insert::circumcenter}) {
+    result.push_back({insert, Schedule::block, false});
+    if (dimension == 2) result.push_back({insert, Schedule::block, true});
+    result.push_back({insert, Schedule::incremental, false});
+    result.push_back({insert, Schedule::parallel, false});
+    result.push_back({insert, Schedule::parallel, true});
+  }
+  return result;
+}
+
+// Work that does not depend on other work, the longest first, on all cores. The first exception is thrown on.
+class TaskQueue {
+ public:
+  void add(int weight, std::string name, std::function<void()> run) {
+    tasks_.push_back({weight, std::move(name), std::move(run)});
+  }
+
+  void run_all(const std::function<void(std::string_view)>& tell) {
+    std::stable_sort(tasks_.begin(), tasks_.end(),
+                     [](const Task& a, const Task& b) { return a.weight > b.weight; });
+    std::atomic<std::size_t> next{0};
+    std::mutex mutex;
+    std::exception_ptr error;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < tasks_.size(); i = next++) {
+        try {
+          {
+            const std::lock_guard lock(mutex);
+            if (error) return;
+            tell(fmt::format("{} of {}: {}", i + 1, tasks_.size(), tasks_[i].name));
+          }
+          tasks_[i].run();
+        } catch (...) {
+          const std::lock_guard lock(mutex);
+          if (!error) error = std::current_exception();
+        }
+      }
+    };
+    {
+      std::vector<std::jthread> threads;
+      for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) threads.emplace_back(work);
+      work();
+    }
+    if (error) std::rethrow_exception(error);
+  }
+
+ private:
+  struct Task {
+    int weight;
+    std::string name;
+    std::function<void()> run;
+  };
+  std::vector<Task> tasks_;
+};
+
+template <int Dim>
+void add_study(TaskQueue& queue, const std::string& model, const Surface<Dim>& surface, double max_ratio,
+               Study& study) {
+  study = begin_study<Dim>(model, surface, max_ratio);
+  const std::vector<Plan> all = plans(Dim);
+  study.runs.resize(all.size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Plan plan = all[k];
+    const int weight = (plan.literal ? 4 : 0) + (plan.schedule == Schedule::parallel ? 2 : 0) +
+                       (plan.insert == Insert::circumcenter ? 1 : 0) + (Dim == 3 ? 8 : 0);
+    queue.add(
+        weight, fmt::format("{}, {}, {}", model, insert_text(plan.insert), schedule_text(plan)),
+        [&surface, max_ratio, plan, run = &study.runs[k]] { *run = refine_as<Dim>(surface, max_ratio, plan); });
+  }
+}
+
+Picture image(const Image& picture, const std::string& description, const std::string& caption) {
+  return {fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\">",
+                      data_uri("image/png", encode_png(picture)), picture.width, picture.height,
+                      escape(description)),
+          caption};
+}
+
+// The surface, and cuts through the mesh inside, before and after.
+std::vector<Picture> pictures_in_space(const std::string& model, const Surface3& surface) {
+  const int height = picture_height(model, kPictureWidth);
+  SurfaceMesher3 mesher(surface);
+  mesher.find_domain();
+  const RatioScale scale{kSpaceRatio, std::max(2 * kSpaceRatio, mesher.statistics(kSpaceRatio).max_ratio())};
+  const auto cut = [&](const char* when) {
+    return image(cut_view(mesher.mesh(), cut_of(model), cut_view_of(model), scale, kPictureWidth, height),
+                 fmt::format("Cut through the mesh of the {}, {}", model, when),
+                 fmt::format("A cut through the interior, {}; colour: r/ℓ.{}", when, colour_bar_svg(scale)));
+  };
+  std::vector<Picture> pictures = {image(surface_view(surface, view_of(model), kPictureWidth, height),
+                                         fmt::format("The surface of the {}", model), "The input surface.")};
+  pictures.push_back(cut("before"));
+  RefineOptions options;
+  options.max_ratio = kSpaceRatio;
+  options.schedule = Schedule::parallel;
+  mesher.refine(options);
+  pictures.push_back(cut("after inserting sinks in parallel"));
+  return pictures;
+}
+
+std::vector<Picture> plane_figures(const Surface2& usa) {
+  return {
+      {figure_level_sets(),
+       "Figure 1. Left: level sets of π over the Voronoi diagram. Right: level sets of φ over the Delaunay "
+       "triangulation. Lighter is higher."},
+      {figure_watersheds(usa),
+       "Figure 2. Triangles that contain their own circumcenters, the sinks, and the bold boundaries of their "
+       "ancestor "
+       "sets."},
+      {figure_graph_of_phi(usa), "Figure 3. The graph of φ, one paraboloid patch for each triangle."},
+      {figure_flow_relation(),
+       "Figure 4. The flow relation between two triangles, and in a whole triangulation."},
+      {figure_flowers(), "Figure 5. The prestar of a point and its star, and the flowers of both."},
+      {figure_first_sinks(usa), "Figure 6. The USA before, and after 4, 12 and 15 sinks, r/ℓ ≤ 1."},
+  };
+}
+
+}  // namespace
+
+Reproduction reproduce(const Models& models, const std::string& machine,
+                       const std::function<void(std::string_view)>& tell) {
+  const auto start = std::chrono::steady_clock::now();
+  PageContent content;
+  content.machine = machine;
+  content.studies.resize(1 + models.in_space.size());
+  TaskQueue queue;
+  add_study(queue, "usa", models.usa, kPlaneRatio, content.studies[0].study);
+  queue.add(0, "figures of the plane", [&] {
+    content.figures = plane_figures(models.usa);
+    content.studies[0].pictures = {
+        {figure_block_meshes(models.usa),
+         "The USA after inserting sinks, and circumcenters, in blocks, r/ℓ ≤ 1. Boundary edges are kept."}};
+  });
+  for (std::size_t k = 0; k < models.in_space.size(); ++k) {
+    const std::string& name = models.in_space[k].first;
+    const Surface3& surface = models.in_space[k].second;
+    StudyPage& study = content.studies[k + 1];
+    add_study(queue, name, surface, kSpaceRatio, study.study);
+    queue.add(1, name + ", pictures", [&] { study.pictures = pictures_in_space(name, surface); });
+  }
+  queue.run_all(tell);
+
+  std::vector<Study> studies;
+  for (const StudyPage& s : content.studies) studies.push_back(s.study);
+  content.total_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {page(content), results_json(studies, machine), runs_csv(studies), rounds_csv(studies)};
+}
+
+}  // namespace sinkmesh::reproduce
