@@ -22,9 +22,9 @@ Perceived mix(const Perceived& a, const Perceived& b, double t) {
 
 // Lightness is one straight line over both halves, but for a small step at the bound.
 constexpr Perceived kBest{0.95, 0.02, 230};
-constexpr Perceived kStillGood{0.68, 0.13, 245};
-constexpr Perceived kJustBad{0.66, 0.15, 58};
-constexpr Perceived kWorst{0.34, 0.10, 30};
+constexpr Perceived kStillGood{0.69, 0.13, 245};
+constexpr Perceived kJustBad{0.69, 0.16, 60};
+constexpr Perceived kWorst{0.33, 0.11, 25};
 
 std::string text(double value) {
   std::array<char, 32> buffer{};

@@ -18,4 +18,7 @@ View view_of(std::string_view model);
 Cut cut_of(std::string_view model);
 View cut_view_of(std::string_view model);
 
+/// Of pictures of the model, for a width: little is left empty.
+int picture_height(std::string_view model, int width);
+
 }  // namespace sinkmesh::reproduce

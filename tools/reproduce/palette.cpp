@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The box with the largest spread of one channel, times its pixels, is split at the median of that channel, until there
-// are enough boxes.
+// The box with the largest sum of squared deviations along one axis is split at the mean on that axis, until there are
+// enough boxes. Axes are lightness and two differences of colour, not red, green and blue: along these, grey and
+// coloured faces of the same lightness would stay together, and lend each other a tint.
 #include "tools/reproduce/palette.h"
 
 #include <algorithm>
@@ -14,52 +15,60 @@ namespace {
 
 constexpr std::size_t kAlpha = 3;
 
+using Coordinates = std::array<int, 4>;
+
+// Small shifts of hue are seen more easily than small shifts of lightness.
+Coordinates coordinates(const Pixel& pixel) {
+  const int red = pixel[0], green = pixel[1], blue = pixel[2];
+  return {red + 2 * green + blue, 4 * (red - green), 4 * (blue - green), 4 * pixel[kAlpha]};
+}
+
 struct Entry {
   Pixel colour;
   std::size_t count;
+  Coordinates place;
 };
 
 // A range of entries.
 struct Box {
   std::size_t begin;
   std::size_t end;
-  std::size_t channel = 0;  // of the largest spread
-  double weight = 0;        // 0: not to be split
+  std::size_t axis = 0;  // of the largest spread
+  double mean = 0;       // on this axis
+  double spread = 0;     // 0: not to be split
 };
 
 Box measured(const std::vector<Entry>& entries, std::size_t begin, std::size_t end) {
   Box box{begin, end};
-  double pixels = 0;
-  for (std::size_t i = begin; i < end; ++i) pixels += static_cast<double>(entries[i].count);
-  for (std::size_t channel = 0; channel < 4; ++channel) {
-    const auto [low, high] = std::minmax_element(
-        entries.begin() + static_cast<std::ptrdiff_t>(begin),
-        entries.begin() + static_cast<std::ptrdiff_t>(end),
-        [&](const Entry& a, const Entry& b) { return a.colour[channel] < b.colour[channel]; });
-    // The root, since otherwise a large, nearly uniform area takes colours from small ones that differ visibly.
-    const double weight = (high->colour[channel] - low->colour[channel]) * std::sqrt(pixels);
-    if (weight > box.weight) box.weight = weight, box.channel = channel;
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    double weight = 0, sum = 0, squares = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      // The root, since otherwise a large, nearly uniform area takes colours from small ones that differ visibly.
+      const double w = std::sqrt(static_cast<double>(entries[i].count));
+      weight += w;
+      sum += w * entries[i].place[axis];
+      squares += w * entries[i].place[axis] * entries[i].place[axis];
+    }
+    const double mean = sum / weight;
+    const double spread = squares - sum * mean;
+    if (end - begin > 1 && spread > box.spread) {
+      box.spread = spread;
+      box.axis = axis;
+      box.mean = mean;
+    }
   }
   return box;
 }
 
-// Both parts hold at least one entry.
-std::size_t median(const std::vector<Entry>& entries, const Box& box) {
-  std::size_t pixels = 0;
-  for (std::size_t i = box.begin; i < box.end; ++i) pixels += entries[i].count;
-  std::size_t before = 0;
-  std::size_t i = box.begin;
-  while (i + 2 < box.end && before + entries[i].count <= pixels / 2) before += entries[i++].count;
-  return i + 1;
-}
-
+// Where the mean, because of rounding, separates nothing, the box stays whole and is not asked again.
 std::pair<Box, Box> split(std::vector<Entry>& entries, const Box& box) {
-  std::sort(entries.begin() + static_cast<std::ptrdiff_t>(box.begin),
-            entries.begin() + static_cast<std::ptrdiff_t>(box.end), [&](const Entry& a, const Entry& b) {
-              return std::pair(a.colour[box.channel], a.colour) < std::pair(b.colour[box.channel], b.colour);
-            });
-  const std::size_t middle = median(entries, box);
-  return {measured(entries, box.begin, middle), measured(entries, middle, box.end)};
+  const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(box.begin);
+  const auto end = entries.begin() + static_cast<std::ptrdiff_t>(box.end);
+  const auto middle =
+      std::stable_partition(begin, end, [&](const Entry& e) { return e.place[box.axis] <= box.mean; });
+  const auto cut = static_cast<std::size_t>(middle - entries.begin());
+  if (cut == box.begin || cut == box.end) return {Box{box.begin, box.end}, Box{box.end, box.end}};
+  return {measured(entries, box.begin, cut), measured(entries, cut, box.end)};
 }
 
 Pixel mean(const std::vector<Entry>& entries, const Box& box) {
@@ -82,7 +91,7 @@ std::vector<Entry> histogram(std::vector<Pixel> pixels) {
   std::sort(pixels.begin(), pixels.end());
   std::vector<Entry> entries;
   for (const Pixel& pixel : pixels) {
-    if (entries.empty() || entries.back().colour != pixel) entries.push_back({pixel, 0});
+    if (entries.empty() || entries.back().colour != pixel) entries.push_back({pixel, 0, coordinates(pixel)});
     ++entries.back().count;
   }
   return entries;
@@ -92,7 +101,7 @@ std::vector<Entry> histogram(std::vector<Pixel> pixels) {
 
 void reduce_colours(Image& image, std::size_t max_colours) {
   std::vector<Entry> entries = histogram(image.pixels);
-  if (entries.size() <= max_colours || max_colours < 3) return;
+  if (entries.size() <= max_colours) return;
 
   // Fully transparent, in between, opaque: never in one box.
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
@@ -113,11 +122,11 @@ void reduce_colours(Image& image, std::size_t max_colours) {
 
   while (boxes.size() < max_colours) {
     const auto widest = std::max_element(boxes.begin(), boxes.end(),
-                                         [](const Box& a, const Box& b) { return a.weight < b.weight; });
-    if (widest->weight == 0) break;
+                                         [](const Box& a, const Box& b) { return a.spread < b.spread; });
+    if (widest->spread == 0) break;
     const auto [first, second] = split(entries, *widest);
     *widest = first;
-    boxes.push_back(second);
+    if (second.begin < second.end) boxes.push_back(second);
   }
 
   std::vector<std::pair<Pixel, Pixel>> replacement;

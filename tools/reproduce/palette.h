@@ -9,8 +9,9 @@
 
 namespace sinkmesh::reproduce {
 
-/// Replaces every colour by the mean of its box of a median cut into at most `max_colours` boxes of colours.
-/// Transparent and opaque pixels stay exactly that. Deterministic. Cost: n log n in the number of colours.
+/// Divides the colours that occur into at most `max_colours` boxes, and replaces each by the mean of its box.
+/// Transparent and opaque pixels stay exactly that. Deterministic. Cost: n log n in the number of pixels.
+/// @param max_colours  at least 3.
 void reduce_colours(Image& image, std::size_t max_colours = 256);
 
 }  // namespace sinkmesh::reproduce

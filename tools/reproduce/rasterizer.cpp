@@ -12,7 +12,8 @@ namespace {
 
 using Affine = TriangleFunctions::Affine;
 
-// Zero on the line through p and q, positive on its right side as seen (y points down). Exactly the opposite for (q, p).
+// Zero on the line through p and q, positive on its right side as seen (y points down). Exactly the opposite for
+// (q, p).
 Affine line(const ScreenPoint& p, const ScreenPoint& q) {
   const double dx = q.x - p.x;
   const double dy = q.y - p.y;

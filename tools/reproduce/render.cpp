@@ -25,8 +25,8 @@ constexpr double kNoEdges = 2.5;
 constexpr double kFullEdges = 9;
 // Hollows: the radius is a part of the picture's width, the depth one of the bounding sphere's radius.
 constexpr double kHollowRadius = 0.016;
-constexpr double kHollowDepth = 0.28;
-constexpr double kDarkest = 0.45;
+constexpr double kHollowDepth = 0.2;
+constexpr double kDarkest = 0.4;
 constexpr double kBrightest = 1.06;
 
 constexpr double kInsideDimming = 0.55;
@@ -45,7 +45,7 @@ double brightness(const Point3& normal) {
   if (!(length > 0)) return 1;
   const auto towards = [&](const Point3& light) { return std::max(0.0, dot(normal, light) / length); };
   const double sky = 0.5 + 0.5 * normal[1] / length;
-  return 0.16 + 0.20 * sky + 0.66 * towards(kLamp) + 0.16 * towards(kFill);
+  return 0.20 + 0.22 * sky + 0.64 * towards(kLamp) + 0.22 * towards(kFill);
 }
 
 // A face in the picture, ready for its samples.

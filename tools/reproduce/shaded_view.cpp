@@ -10,8 +10,8 @@
 namespace sinkmesh::reproduce {
 namespace {
 
-constexpr Perceived kSurface{0.86, 0.025, 240};
-constexpr Perceived kSurfaceBesideCut{0.80, 0.004, 240};
+constexpr Perceived kSurface{0.86, 0.03, 235};
+constexpr Perceived kSurfaceBesideCut{0.84, 0.004, 240};
 // Enough to see the shapes of the tetrahedra, not so much that a colour is taken for another one of the scale.
 constexpr double kReliefOnCut = 0.45;
 
