@@ -7,7 +7,7 @@ from program import TETRAHEDRON, ProgramTest, ellipsoid, off
 
 class Usage(ProgramTest):
     def test_help_of_every_command_has_an_example(self):
-        for command in ([], ["refine"], ["delaunay"], ["inspect"]):
+        for command in ([], ["refine"], ["delaunay"], ["inspect"], ["generate"]):
             text = self.succeed(*command, "--help")
             self.assertIn("Example:\n  sinkmesh", text)
 
@@ -52,6 +52,11 @@ class Usage(ProgramTest):
             ["delaunay", surface, *out, "--dimension", "4"],
             ["inspect"],
             ["inspect", "-"],
+            ["generate"],
+            ["generate", "star"],
+            ["generate", "rotor", "-o", self.path("out.off")],
+            ["generate", "star", "-o", self.path("out.docx")],
+            ["generate", "star", "-o", "-"],
         ):
             with self.subTest(arguments=arguments):
                 self.assertIn("--help", self.fail_with_one_line(2, *arguments))

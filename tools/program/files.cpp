@@ -53,19 +53,19 @@ std::optional<Format> format_by_suffix(const std::string& path) {
   return std::nullopt;
 }
 
-Format output_format(const FileArguments& files, int dim) {
-  const bool given = !files.output_format.empty() && !belongs_to_input(files);
+Format output_format(const FileArguments& files, int dim, FileRole role) {
+  const bool is_mesh = role == FileRole::mesh_out;
+  const bool given = !files.output_format.empty() && !(is_mesh && belongs_to_input(files));
   if (!given && files.output == "-") {
     throw UsageError(
         fmt::format("the output is standard output, which has no suffix: give its format, --format {}",
-                    format_names(FileRole::mesh_out, dim)));
+                    format_names(role, dim)));
   }
   try {
-    const Format format =
-        given ? format_named(files.output_format) : format_of_path(files.output, FileRole::mesh_out, dim);
-    if (supports(format, FileRole::mesh_out, dim)) return format;
-    throw UsageError(fmt::format("--format {}: cannot hold a mesh of dimension {}: use {}", name_of(format),
-                                 dim, format_names(FileRole::mesh_out, dim)));
+    const Format format = given ? format_named(files.output_format) : format_of_path(files.output, role, dim);
+    if (supports(format, role, dim)) return format;
+    throw UsageError(fmt::format("--format {}: cannot hold a {} of dimension {}: use {}", name_of(format),
+                                 is_mesh ? "mesh" : "surface", dim, format_names(role, dim)));
   } catch (const FileError& error) {
     throw UsageError(error.what());
   }

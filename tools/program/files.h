@@ -25,9 +25,9 @@ std::optional<Format> input_format(const FileArguments& files);
 /// The format of INPUT by its suffix alone, whatever it is good for; nothing for an unknown suffix.
 std::optional<Format> format_by_suffix(const std::string& path);
 
-/// The format of OUTPUT, which must be one for meshes of this dimension.
+/// The format of OUTPUT, which must be one for meshes, or surfaces, of this dimension.
 /// @throws UsageError that lists them, otherwise.
-Format output_format(const FileArguments& files, int dim);
+Format output_format(const FileArguments& files, int dim, FileRole role = FileRole::mesh_out);
 
 /// Finds out whether a file could be written now, so that no long computation is lost; leaves no trace.
 /// Standard output, devices and pipes are taken on trust. An empty path is no file.

@@ -11,6 +11,7 @@
 #include "tools/io/file_error.h"
 #include "tools/program/delaunay_command.h"
 #include "tools/program/exit_status.h"
+#include "tools/program/generate_command.h"
 #include "tools/program/inspect_command.h"
 #include "tools/program/refine_command.h"
 #include "tools/program/text.h"
@@ -64,11 +65,13 @@ ExitStatus run_program(int argc, char** argv) {
   RefineArguments refine;
   DelaunayArguments delaunay;
   InspectArguments inspect;
+  GenerateArguments generate;
   const CLI::App* const refine_command = add_refine_command(program, refine);
   const CLI::App* const delaunay_command = add_delaunay_command(program, delaunay);
   const CLI::App* const inspect_command = add_inspect_command(program, inspect);
+  const CLI::App* const generate_command = add_generate_command(program, generate);
   const auto chosen = [&]() -> const CLI::App* {
-    for (const CLI::App* command : {refine_command, delaunay_command, inspect_command}) {
+    for (const CLI::App* command : {refine_command, delaunay_command, inspect_command, generate_command}) {
       if (command->parsed()) return command;
     }
     return nullptr;
@@ -83,14 +86,16 @@ ExitStatus run_program(int argc, char** argv) {
     return wrong_usage(chosen(), error.what());
   }
 
-  if (chosen() == nullptr) return wrong_usage(nullptr, "a command is needed: refine, delaunay or inspect");
+  if (chosen() == nullptr)
+    return wrong_usage(nullptr, "a command is needed: refine, delaunay, inspect or generate");
 
   const std::string broken = predicates_self_test();
   if (!broken.empty()) return fail(ExitStatus::internal_error, "sinkmesh: " + broken);
   try {
     if (refine_command->parsed()) return run_on(refine.files.input, refine);
     if (delaunay_command->parsed()) return run_on(delaunay.files.input, delaunay);
-    return run_on(inspect.files.input, inspect);
+    if (inspect_command->parsed()) return run_on(inspect.files.input, inspect);
+    return run_on(generate.files.output, generate);
   } catch (const UsageError& error) {
     return wrong_usage(chosen(), error.what());
   } catch (const FileError& error) {
