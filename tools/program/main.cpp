@@ -2,10 +2,13 @@
 //
 // The program `sinkmesh`: parses the command line, calls the library, prints.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "predicates/self_test.h"
 #include "tools/io/file_error.h"
@@ -14,6 +17,7 @@
 #include "tools/program/generate_command.h"
 #include "tools/program/inspect_command.h"
 #include "tools/program/refine_command.h"
+#include "tools/program/reproduce_command.h"
 #include "tools/program/text.h"
 
 namespace sinkmesh::program {
@@ -66,15 +70,22 @@ ExitStatus run_program(int argc, char** argv) {
   DelaunayArguments delaunay;
   InspectArguments inspect;
   GenerateArguments generate;
-  const CLI::App* const refine_command = add_refine_command(program, refine);
-  const CLI::App* const delaunay_command = add_delaunay_command(program, delaunay);
-  const CLI::App* const inspect_command = add_inspect_command(program, inspect);
-  const CLI::App* const generate_command = add_generate_command(program, generate);
-  const auto chosen = [&]() -> const CLI::App* {
-    for (const CLI::App* command : {refine_command, delaunay_command, inspect_command, generate_command}) {
-      if (command->parsed()) return command;
-    }
-    return nullptr;
+  ReproduceArguments reproduce;
+  struct Command {
+    const CLI::App* app;
+    std::function<ExitStatus()> run;
+  };
+  const std::vector<Command> commands = {
+      {add_refine_command(program, refine), [&] { return run_on(refine.files.input, refine); }},
+      {add_delaunay_command(program, delaunay), [&] { return run_on(delaunay.files.input, delaunay); }},
+      {add_inspect_command(program, inspect), [&] { return run_on(inspect.files.input, inspect); }},
+      {add_generate_command(program, generate), [&] { return run_on(generate.files.output, generate); }},
+      {add_reproduce_command(program, reproduce), [&] { return run_on(reproduce.folder, reproduce); }},
+  };
+  const auto chosen = [&]() -> const Command* {
+    const auto found =
+        std::find_if(commands.begin(), commands.end(), [](const Command& c) { return c.app->parsed(); });
+    return found == commands.end() ? nullptr : &*found;
   };
   try {
     program.parse(argc, argv);
@@ -83,21 +94,20 @@ ExitStatus run_program(int argc, char** argv) {
     print("");
     return ExitStatus::done;
   } catch (const CLI::ParseError& error) {
-    return wrong_usage(chosen(), error.what());
+    return wrong_usage(chosen() == nullptr ? nullptr : chosen()->app, error.what());
   }
 
-  if (chosen() == nullptr)
-    return wrong_usage(nullptr, "a command is needed: refine, delaunay, inspect or generate");
+  const Command* const command = chosen();
+  if (command == nullptr) {
+    return wrong_usage(nullptr, "a command is needed: refine, delaunay, inspect, generate or reproduce");
+  }
 
   const std::string broken = predicates_self_test();
   if (!broken.empty()) return fail(ExitStatus::internal_error, "sinkmesh: " + broken);
   try {
-    if (refine_command->parsed()) return run_on(refine.files.input, refine);
-    if (delaunay_command->parsed()) return run_on(delaunay.files.input, delaunay);
-    if (inspect_command->parsed()) return run_on(inspect.files.input, inspect);
-    return run_on(generate.files.output, generate);
+    return command->run();
   } catch (const UsageError& error) {
-    return wrong_usage(chosen(), error.what());
+    return wrong_usage(command->app, error.what());
   } catch (const FileError& error) {
     return fail(ExitStatus::unusable_input, error.what());
   }

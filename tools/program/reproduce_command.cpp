@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <system_error>
+#include <variant>
 
 #include "tools/io/detail/file.h"
 #include "tools/io/file_error.h"
@@ -47,10 +48,17 @@ ExitStatus run(const ReproduceArguments& arguments) {
   }
   ProgressLine progress(!arguments.quiet);
   progress.phase("generating the models");
-  const reproduce::Models models = {models::make_usa(), models::paper_models_in_space()};
-  const reproduce::Reproduction result =
-      reproduce::reproduce(models, reproduce::describe_machine(),
-                           [&progress](std::string_view what) { progress.phase(what); });
+  reproduce::Models models;
+  for (const models::Model& model : models::all_models()) {
+    if (const auto* const make = std::get_if<Surface2 (*)(std::size_t)>(&model.make)) {
+      models.usa = (*make)(model.triangles);
+    } else {
+      models.in_space.emplace_back(model.name,
+                                   std::get<Surface3 (*)(std::size_t)>(model.make)(model.triangles));
+    }
+  }
+  const reproduce::Reproduction result = reproduce::reproduce(
+      models, reproduce::describe_machine(), [&progress](std::string_view what) { progress.phase(what); });
   io_detail::write_file((folder / "results.json").string(), result.json);
   io_detail::write_file((folder / "runs.csv").string(), result.runs_csv);
   io_detail::write_file((folder / "rounds.csv").string(), result.rounds_csv);

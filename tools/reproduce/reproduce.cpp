@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kPlaneRatio = 1.0;
 constexpr double kSpaceRatio = 2.0;
-constexpr int kPictureWidth = 760;
+constexpr int kPictureWidth = 900;
 
 // Of each model. The literal rounds of the schedule whose evolution is charted; all others pruned.
 std::vector<Plan> plans(int dimension) {
