@@ -16,7 +16,7 @@ const char* const kModels[] = {"cuboctahedron", "paraboloid", "star", "head"};
 // Arguments: model, kind of point, schedule, literal.
 void BM_Refine(benchmark::State& state) {
   const std::string model = kModels[state.range(0)];
-  const Surface3 surface = read_surface(std::string(SINKMESH_TEST_MODELS) + "/" + model + ".off");
+  const Surface3 surface = read_surface(std::string(SINKMESH_BENCH_MODELS) + "/" + model + ".off");
   RefineOptions options;
   options.insert = static_cast<Insert>(state.range(1));
   options.schedule = static_cast<Schedule>(state.range(2));
@@ -52,7 +52,7 @@ BENCHMARK(BM_Refine)
 // Everything between reading and writing.
 void BM_SurfaceToMesh(benchmark::State& state) {
   const std::string model = kModels[state.range(0)];
-  const Surface3 surface = read_surface(std::string(SINKMESH_TEST_MODELS) + "/" + model + ".off");
+  const Surface3 surface = read_surface(std::string(SINKMESH_BENCH_MODELS) + "/" + model + ".off");
   state.SetLabel(model);
   for (auto _ : state) {
     SurfaceMesher3 mesher(surface);
