@@ -50,7 +50,7 @@ TwoTerms to_two_terms(const FixedInt<Bits>& x) {
   constexpr std::size_t kLimbs = FixedInt<Bits>::kLimbs;
   const std::uint64_t flip = x.is_negative() ? ~std::uint64_t{0} : 0;
   std::array<std::uint64_t, kLimbs> magnitude;
-  std::uint64_t carry = flip & 1;
+  Carry carry = flip & 1;
   for (std::size_t i = 0; i < kLimbs; ++i) magnitude[i] = add_with_carry(x.limbs[i] ^ flip, 0, carry);
   std::size_t top = kLimbs;
   while (top > 0 && magnitude[top - 1] == 0) --top;
@@ -108,7 +108,7 @@ struct Natural {
     static_assert(FixedInt<Bits>::kLimbs <= N);
     const std::uint64_t flip = x.is_negative() ? ~std::uint64_t{0} : 0;
     Natural r;
-    std::uint64_t carry = flip & 1;
+    Carry carry = flip & 1;
     for (std::size_t i = 0; i < N; ++i) r.limbs[i] = add_with_carry(x.limb(i) ^ flip, 0, carry);
     return r;
   }
@@ -132,7 +132,7 @@ struct Natural {
   /// Subtracts x if the result is not negative. @return whether it did.
   bool try_subtract(const Natural& x) {
     Natural difference;
-    std::uint64_t borrow = 0;
+    Carry borrow = 0;
     for (std::size_t i = 0; i < N; ++i) {
       difference.limbs[i] = subtract_with_borrow(limbs[i], x.limbs[i], borrow);
     }
