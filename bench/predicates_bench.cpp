@@ -21,8 +21,8 @@ namespace {
 using namespace bench;
 using namespace detail;
 
-const char* const kStageNames[kStages] = {"static", "local",     "permanent",  "granularity",
-                                          "box",    "integer64", "integer128", "expansion"};
+const char* const kStageNames[kStages] = {"static",    "local",     "granularity", "box",
+                                          "permanent", "integer64", "integer128",  "expansion"};
 
 template <class P, class VerdictOf>
 void report_stages(benchmark::State& state, const InputSet<P>& set, VerdictOf&& verdict_of) {

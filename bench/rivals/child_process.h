@@ -21,7 +21,8 @@ struct ChildResult {
   double peak_bytes = 0;  ///< above what the process began with
 };
 
-/// Runs compute() in a copy of this process, which ends without destructors.
+/// Runs compute() in a copy of this process, which ends without destructors. It returns a function that returns the
+/// value; this one is not measured.
 /// @return not succeeded if it crashed, threw, or used up its time.
 template <class Compute>
 ChildResult measure_in_child(Compute&& compute, unsigned seconds_allowed) {
@@ -39,9 +40,10 @@ ChildResult measure_in_child(Compute&& compute, unsigned seconds_allowed) {
       // A new process has a peak of its own: the size at the fork.
       const double bytes_before = peak_resident_bytes();
       const double start = user_seconds();
-      result.value = compute();
+      const auto value = compute();
       result.user_seconds = user_seconds() - start;
       result.peak_bytes = peak_resident_bytes() - bytes_before;
+      result.value = value();
       result.succeeded = true;
     } catch (...) {
     }
