@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bench/point_sets.h"
-#include "core/triangulation->h"
+#include "core/triangulation.h"
 
 namespace sinkmesh {
 namespace {
