@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -24,10 +26,26 @@ class Uniform {
   std::mt19937_64 random_;
 };
 
-inline std::vector<Point3> uniform_cube(std::size_t n) {
+template <int Dim>
+std::vector<Point<Dim>> uniform_box(std::size_t n) {
   Uniform uniform(1);
-  std::vector<Point3> points(n);
-  for (Point3& p : points) p = {uniform(), uniform(), uniform()};
+  std::vector<Point<Dim>> points(n);
+  for (Point<Dim>& p : points) {
+    for (double& x : p) x = uniform();
+  }
+  return points;
+}
+inline std::vector<Point2> uniform_square(std::size_t n) { return uniform_box<2>(n); }
+inline std::vector<Point3> uniform_cube(std::size_t n) { return uniform_box<3>(n); }
+
+/// On the unit circle up to rounding.
+inline std::vector<Point2> rounded_circle(std::size_t n) {
+  Uniform uniform(6);
+  std::vector<Point2> points(n);
+  for (Point2& p : points) {
+    const double angle = 2 * std::numbers::pi * uniform();
+    p = {std::cos(angle), std::sin(angle)};
+  }
   return points;
 }
 
@@ -69,16 +87,27 @@ inline std::vector<Point3> open_cylinder(std::size_t n) {
   return points;
 }
 
-inline std::vector<Point3> shuffled_grid(int side) {
+/// The integer grid of side^Dim points, shuffled.
+template <int Dim>
+std::vector<Point<Dim>> shuffled_grid(int side) {
   Uniform uniform(5);
-  std::vector<Point3> points;
-  for (int x = 0; x < side; ++x) {
-    for (int y = 0; y < side; ++y) {
-      for (int z = 0; z < side; ++z) points.push_back({1.0 * x, 1.0 * y, 1.0 * z});
-    }
+  std::vector<Point<Dim>> points;
+  Point<Dim> p{};
+  for (;;) {
+    points.push_back(p);
+    std::size_t k = 0;
+    while (k < Dim && ++p[k] == side) p[k++] = 0;
+    if (k == Dim) break;
   }
   std::shuffle(points.begin(), points.end(), uniform.generator());
   return points;
+}
+/// About n points.
+inline std::vector<Point2> square_grid(std::size_t n) {
+  return shuffled_grid<2>(static_cast<int>(std::lround(std::sqrt(n))));
+}
+inline std::vector<Point3> cubic_grid(std::size_t n) {
+  return shuffled_grid<3>(static_cast<int>(std::lround(std::cbrt(n))));
 }
 
 }  // namespace sinkmesh::bench

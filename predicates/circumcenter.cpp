@@ -52,7 +52,7 @@ struct Natural {
     static_assert(FixedInt<Bits>::kLimbs <= N);
     const std::uint64_t flip = x.is_negative() ? ~std::uint64_t{0} : 0;
     Natural r;
-    std::uint64_t carry = flip & 1;
+    Carry carry = flip & 1;
     for (std::size_t i = 0; i < N; ++i) r.limbs[i] = add_with_carry(x.limb(i) ^ flip, 0, carry);
     return r;
   }
@@ -76,7 +76,7 @@ struct Natural {
   /// Subtracts x if the result is not negative. @return whether it did.
   bool try_subtract(const Natural& x) {
     Natural difference;
-    std::uint64_t borrow = 0;
+    Carry borrow = 0;
     for (std::size_t i = 0; i < N; ++i) {
       difference.limbs[i] = subtract_with_borrow(limbs[i], x.limbs[i], borrow);
     }

@@ -45,6 +45,8 @@ class InputGate {
 
  private:
   int exponent_ = 0;
+  double factor_ = 1;   // 2^exponent_, from 2^-1023, which is exact although subnormal, to 2^800
+  double inverse_ = 1;  // 2^-exponent_
   std::size_t rounded_points_ = 0;
   int granularity_ = 0;
   Box<Dim> box_;

@@ -5,9 +5,10 @@
 // Stages, in this order; each certifies the sign or hands over to the next:
 //   static       rounded value against a bound that holds for the whole point set     (Predicates<Dim> only)
 //   local        the same with the extents of the points at hand
-//   permanent    Shewchuk's a-priori bound, from the permanent of the same expression  [S97]
 //   granularity  |value| + error < g^k, where all coordinates are multiples of g: an exact zero
+//                (Predicates<Dim> only; again after permanent)
 //   box          the points are corners of one axis-parallel box (or share a coordinate): an exact zero
+//   permanent    Shewchuk's a-priori bound, from the permanent of the same expression  [S97]
 //   integer64    the scaled differences are integers below 2^62, checked at run time: fixed-width integers
 //   integer128   the same with two limbs; always holds behind the input gate
 //   expansion    Shewchuk's adaptive expansions, for raw doubles that passed no gate

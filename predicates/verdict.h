@@ -8,7 +8,7 @@
 namespace sinkmesh::detail {
 
 /// In the order in which they are tried; see predicates.h.
-enum class Stage { kStatic, kLocal, kPermanent, kGranularity, kBox, kInteger64, kInteger128, kExpansion };
+enum class Stage { kStatic, kLocal, kGranularity, kBox, kPermanent, kInteger64, kInteger128, kExpansion };
 inline constexpr int kStages = 8;
 
 struct Verdict {
@@ -24,7 +24,7 @@ double error_within(const Point<P::kDim>& extents) {
   return P::kErrorBound * (1 + 0x1p-40) * P::majorant(extents);
 }
 
-/// Sign of P at raw doubles; all stages but static, local and granularity.
+/// Sign of P at raw doubles; all stages but static and granularity.
 template <class P>
 Verdict decide(const Points<P>& points);
 

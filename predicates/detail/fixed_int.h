@@ -7,6 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
 
 namespace sinkmesh::detail {
 
@@ -47,22 +50,36 @@ struct FixedInt {
   std::array<std::uint64_t, kLimbs> limbs{};
 };
 
-inline std::uint64_t add_with_carry(std::uint64_t a, std::uint64_t b, std::uint64_t& carry) {
+// One limb of a sum or difference. Compilers make a chain of add-with-carry from the intrinsics only.
+using Carry = unsigned char;
+#ifdef __x86_64__
+inline std::uint64_t add_with_carry(std::uint64_t a, std::uint64_t b, Carry& carry) {
+  unsigned long long s;
+  carry = _addcarry_u64(carry, a, b, &s);
+  return s;
+}
+inline std::uint64_t subtract_with_borrow(std::uint64_t a, std::uint64_t b, Carry& borrow) {
+  unsigned long long s;
+  borrow = _subborrow_u64(borrow, a, b, &s);
+  return s;
+}
+#else
+inline std::uint64_t add_with_carry(std::uint64_t a, std::uint64_t b, Carry& carry) {
   const Uint128 s = static_cast<Uint128>(a) + b + carry;
-  carry = static_cast<std::uint64_t>(s >> 64);
+  carry = static_cast<Carry>(s >> 64);
   return static_cast<std::uint64_t>(s);
 }
-
-inline std::uint64_t subtract_with_borrow(std::uint64_t a, std::uint64_t b, std::uint64_t& borrow) {
+inline std::uint64_t subtract_with_borrow(std::uint64_t a, std::uint64_t b, Carry& borrow) {
   const Uint128 s = static_cast<Uint128>(a) - b - borrow;
-  borrow = static_cast<std::uint64_t>(s >> 64) & 1;
+  borrow = static_cast<Carry>(s >> 64) & 1;
   return static_cast<std::uint64_t>(s);
 }
+#endif
 
 template <int A, int B>
 inline FixedInt<std::max(A, B) + 1> operator+(const FixedInt<A>& a, const FixedInt<B>& b) {
   FixedInt<std::max(A, B) + 1> r;
-  std::uint64_t carry = 0;
+  Carry carry = 0;
   for (std::size_t i = 0; i < r.kLimbs; ++i) r.limbs[i] = add_with_carry(a.limb(i), b.limb(i), carry);
   return r;
 }
@@ -70,7 +87,7 @@ inline FixedInt<std::max(A, B) + 1> operator+(const FixedInt<A>& a, const FixedI
 template <int A, int B>
 inline FixedInt<std::max(A, B) + 1> operator-(const FixedInt<A>& a, const FixedInt<B>& b) {
   FixedInt<std::max(A, B) + 1> r;
-  std::uint64_t borrow = 0;
+  Carry borrow = 0;
   for (std::size_t i = 0; i < r.kLimbs; ++i) r.limbs[i] = subtract_with_borrow(a.limb(i), b.limb(i), borrow);
   return r;
 }
@@ -98,7 +115,7 @@ inline FixedInt<A + B> operator*(const FixedInt<A>& a, const FixedInt<B>& b) {
     }
     const std::uint64_t a_mask = a.is_negative() ? ~std::uint64_t{0} : 0;
     const std::uint64_t b_mask = b.is_negative() ? ~std::uint64_t{0} : 0;
-    std::uint64_t borrow = 0;
+    Carry borrow = 0;
     for (std::size_t i = kA; i < kR; ++i) {
       r.limbs[i] = subtract_with_borrow(r.limbs[i], b.limb(i - kA) & a_mask, borrow);
     }

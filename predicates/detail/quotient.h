@@ -44,7 +44,7 @@ inline TwoTerms to_two_terms(const FixedInt<Bits>& x) {
   constexpr std::size_t kLimbs = FixedInt<Bits>::kLimbs;
   const std::uint64_t flip = x.is_negative() ? ~std::uint64_t{0} : 0;
   std::array<std::uint64_t, kLimbs> magnitude;
-  std::uint64_t carry = flip & 1;
+  Carry carry = flip & 1;
   for (std::size_t i = 0; i < kLimbs; ++i) magnitude[i] = add_with_carry(x.limbs[i] ^ flip, 0, carry);
   std::size_t top = kLimbs;
   while (top > 0 && magnitude[top - 1] == 0) --top;

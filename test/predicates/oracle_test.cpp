@@ -126,7 +126,7 @@ TYPED_TEST(OracleTest, SignsAreExact) {
   const Tally tally = compare_with_oracle<TypeParam>(1);
   if (this->HasFailure()) return;
   tally.expect_hard_enough();
-  std::vector<Stage> raw{Stage::kPermanent, Stage::kInteger64, Stage::kInteger128};
+  std::vector<Stage> raw{Stage::kLocal, Stage::kPermanent, Stage::kInteger64, Stage::kInteger128};
   std::vector<Stage> staged{Stage::kStatic,      Stage::kLocal,     Stage::kPermanent,
                             Stage::kGranularity, Stage::kInteger64, Stage::kInteger128};
   if (requires(const Points<TypeParam>& p) { TypeParam::is_zero(p); }) {
@@ -162,7 +162,7 @@ TYPED_TEST(OracleTest, SignsAreExactOverTheRangeOfExponents) {
     const int first_order = by_first_order<P>(pointers<P>(points));
     ASSERT_TRUE(first_order == exact || first_order == kUndecided) << sample;
   }
-  expect_each_decides(stages, {Stage::kPermanent});
+  expect_each_decides(stages, {Stage::kLocal, Stage::kPermanent});
   if (P::kDegree > 2 || kIsOrientation<P>) expect_each_decides(stages, {Stage::kExpansion});
 }
 
