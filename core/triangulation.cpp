@@ -30,8 +30,11 @@ bool is_independent(std::span<const Point3* const> p) {
 [[noreturn]] void throw_degenerate(int affine_dimension, std::size_t distinct) {
   static constexpr const char* kWhat[] = {"there is no point", "all points are equal",
                                           "all points are collinear", "all points are coplanar"};
-  throw DegenerateInput(std::string(kWhat[affine_dimension + 1]) + " (" + std::to_string(distinct) +
-                            " distinct): a triangulation needs points that span the whole space",
+  static constexpr const char* kRemedy[] = {"add points", "add different points", "add points off the line",
+                                            "add points off the plane"};
+  const auto row = static_cast<std::size_t>(affine_dimension + 1);
+  throw DegenerateInput(std::string(kWhat[row]) + " (" + std::to_string(distinct) +
+                            " distinct): " + kRemedy[row] + ", so that they span the whole space",
                         affine_dimension);
 }
 

@@ -91,12 +91,14 @@ typename Domain<Dim>::Peeled SurfaceMesher<Dim>::find_domain() {
     throw InputError(
         std::to_string(missing.size()) + " of " + count_of(state_->used.facets.size(), "facet") +
         " of the surface are not in the Delaunay triangulation of its vertices (the first is facet " +
-        std::to_string(missing.front()) + "): refine the surface there");
+        std::to_string(missing.front()) +
+        "): divide them into smaller ones, and repair self-intersections, which show like this, too");
   }
   const typename Domain<Dim>::Peeled peeled = state_->domain.peel(state_->flow);
   if (state_->domain.simplices().empty()) {
-    throw InputError("nothing stable is inside the surface: all " + count_of(peeled.simplices, "simplex") +
-                     " flow out through it; refine the surface");
+    throw InputError("nothing stable is inside the surface: the flow leads out of it from everywhere (" +
+                     std::to_string(peeled.simplices) + " of " + count_of(peeled.simplices, "simplex") +
+                     "); divide its facets into smaller ones");
   }
   return peeled;
 }

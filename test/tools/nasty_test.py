@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Every nasty input: a valid mesh, or one line that says what is wrong. Never a signal, a hang, half a file."""
+import re
 import unittest
 
 from program import DATA, ProgramTest, needs_data
@@ -16,6 +17,37 @@ REFUSED = {
     "coplanar_tilted_points", "identical_points", "three_points"
 }
 
+# What refine says of them: the line, if it has one, what is wrong there, and what to do.
+MESSAGES = {
+    "open_surface": r":\d+: edge of .* belongs to facet \d+ only; close the hole",
+    "real_holes_open": r":\d+: edge of .* belongs to facet \d+ only; close the hole",
+    "duplicate_vertices": r":3: vertex 0 .* has the same coordinates as vertex 1197; merge the vertices",
+    "degenerate_triangles": r":3590: facet 2390 has a vertex twice: .*; remove the facet",
+    "nonmanifold_vertex": r":\d+: vertex 621 .* joins 2 fans of facets, .*; give each part a vertex of its own",
+    "duplicate_faces": r":1222: facets 22, 2392 have the same vertices: .*; remove",
+    "nan_coordinate": r":80: 'nan' is not finite .*: repair or remove it",
+    "inf_coordinate": r":36: '-inf' is not finite .*: repair or remove it",
+    "truncated": r":2176: the file ends inside facet 976: it is truncated; get the complete file",
+    "empty": r":1: the file is empty: an OFF file starts with the line OFF",
+    "header_only": r":2: the file ends where the number of vertices was expected: it is truncated",
+    "index_out_of_range": r":1250: vertex 1197 does not exist: .*; correct the index",
+    "negative_index": r":1209: vertex -1 does not exist: .*; correct the index",
+    "words_for_numbers": r":15: 'abc' is not a number: .*; correct the file",
+    "wrong_counts": r":1200: vertex 1197 has 4 numbers instead of 3; are the counts on line 2 right\?",
+    "not_a_mesh": r":1: not an OFF file: .*; name the right --format",
+    "schoenhardt": r": 4 of 8 facets of the surface are not in the Delaunay triangulation .*: divide them",
+    "tetrahedron": r": nothing stable is inside the surface: .*; divide its facets",
+    "coplanar_points": r": holds points, and refine needs a closed surface .*; sinkmesh delaunay takes points",
+}
+# And delaunay.
+POINT_MESSAGES = {
+    "collinear_points": r": all points are collinear \(150 distinct\): add points off the line",
+    "coplanar_points": r": all points are coplanar \(400 distinct\): add points off the plane.*--dimension 2",
+    "coplanar_tilted_points": r": all points are coplanar \(400 distinct\): add points off the plane",
+    "identical_points": r": all points are equal \(1 distinct\): add different points",
+    "three_points": r": all points are coplanar \(3 distinct\): add points off the plane",
+}
+
 
 @needs_data
 class Nasty(ProgramTest):
@@ -26,9 +58,12 @@ class Nasty(ProgramTest):
         message = result.stderr.decode()
         self.assertIn(result.returncode, (0, 1), message)
         if result.returncode == 1:
-            self.assertEqual(message.count("\n"), 1, message)
-            self.assertTrue(message.startswith(str(path)), message)
+            # One line: the file, what is wrong, and, after a colon, semicolon or comma, what to do about it.
+            self.assertRegex(message, rf"\A{re.escape(str(path))}(:\d+)?: [^\n]+[:;,?][^\n]+\n\Z")
             self.assertTrue(message.isascii())
+            expected = (MESSAGES if command == ("refine",) else POINT_MESSAGES).get(path.stem)
+            if expected is not None:
+                self.assertRegex(message, re.escape(path.name) + expected)
             self.assertEqual(result.stdout, b"")
             self.assertEqual(self.files(), [])
         else:
@@ -47,6 +82,7 @@ class Nasty(ProgramTest):
                 status = self.check(path, "refine")
                 if path.stem in REFUSED or path.suffix == ".xyz":
                     self.assertEqual(status, 1)
+                self.assertFalse(status == 0 and path.stem in MESSAGES)
 
     def test_delaunay(self):
         for path in sorted(NASTY.iterdir()):
@@ -66,6 +102,10 @@ class Nasty(ProgramTest):
                 else:  # defects on standard output, or one line on standard error
                     self.assertNotEqual(result.stdout == b"", result.stderr == b"")
                     self.assertLessEqual(result.stderr.count(b"\n"), 1)
+                    if result.stderr:
+                        self.assertTrue(result.stderr.decode().startswith(str(path)))
+                        self.assertTrue(result.stderr.endswith(b"\n"))
+                self.assertEqual(self.files(), [])
 
 
 if __name__ == "__main__":

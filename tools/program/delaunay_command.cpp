@@ -148,7 +148,12 @@ ExitStatus run(const DelaunayArguments& arguments) {
   if (const auto* plane = std::get_if<std::vector<Point2>>(&input)) {
     return DelaunayRun<2>(arguments, watch, progress).run(*plane);
   }
-  return DelaunayRun<3>(arguments, watch, progress).run(std::get<std::vector<Point3>>(input));
+  try {
+    return DelaunayRun<3>(arguments, watch, progress).run(std::get<std::vector<Point3>>(input));
+  } catch (const DegenerateInput& error) {
+    if (error.affine_dimension() != 2) throw;
+    throw DegenerateInput(fmt::format("{}; or take x and y alone (--dimension 2)", error.what()), 2);
+  }
 }
 
 }  // namespace sinkmesh::program

@@ -52,11 +52,19 @@ std::string ends_early(const char* things, std::size_t have, std::size_t announc
                 ": it is truncated, or the counts on line ", header.line, " are wrong");
 }
 
+// At the end of a line that should go on.
+[[noreturn]] void fail_incomplete(TextReader& text, const Header& header, const char* thing, std::size_t id,
+                                  const char* what) {
+  const std::size_t line = text.line();
+  const std::string name = concat(thing, " ", id);
+  if (!text.at_end()) throw FileError(text.file(), line, concat(name, what, see_counts(header)));
+  throw FileError(text.file(), line,
+                  concat("the file ends inside ", name, ": it is truncated; get the complete file"));
+}
+
 void read_point(TextReader& text, const Header& header, std::size_t id, Point3& p) {
   for (double& x : p) {
-    if (text.at_line_end()) {
-      text.fail(concat("vertex ", id, " has fewer than 3 coordinates", see_counts(header)));
-    }
+    if (text.at_line_end()) fail_incomplete(text, header, "vertex", id, " has fewer than 3 coordinates");
     x = text.number("a coordinate");
   }
   if (header.has_attributes || text.at_line_end()) {
@@ -78,9 +86,7 @@ void read_facet(TextReader& text, const Header& header, std::size_t id, Surface3
                      " corners: only triangles can be read; triangulate the surface first"));
   }
   for (std::uint32_t& corner : facet) {
-    if (text.at_line_end()) {
-      text.fail(concat("facet ", id, " has fewer than 3 vertices", see_counts(header)));
-    }
+    if (text.at_line_end()) fail_incomplete(text, header, "facet", id, " has fewer than 3 vertices");
     corner = text.index(header.points, 0, "vertex");
   }
   text.drop_line();  // a color
