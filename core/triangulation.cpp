@@ -157,9 +157,8 @@ auto Triangulation<Dim>::insert(const Point<Dim>& p, Engine engine, Simplex hint
   for (const double c : p) {
     if (!(std::abs(std::ldexp(c, gate_.exponent())) < 2)) {
       throw InputError(
-          "the point to insert is not finite, or has a coordinate that is not below the first power of two "
-          "above "
-          "all coordinates of the input: build a triangulation of all points instead");
+          "the point to insert is not finite, or one of its coordinates is not below the first power of two "
+          "above all coordinates of the input: build a triangulation of all points instead");
     }
   }
   const Point<Dim> x = gate_.in(p);
