@@ -159,8 +159,8 @@ template <int Dim>
 auto Triangulation<Dim>::insert(const Point<Dim>& p, Engine engine, Simplex hint) -> Insertion {
   if (!gate_.admits(p)) {
     throw InputError(
-        "the point to insert is not finite, or has a coordinate that is not below the first power of two above "
-        "all coordinates of the input: build a triangulation of all points instead");
+        "the point to insert is not finite, or one of its coordinates is not below the first power of two "
+        "above all coordinates of the input: build a triangulation of all points instead");
   }
   const Point<Dim> x = gate_.in(p);
   announce(x);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 
 #include "core/flip_inserter.h"
 #include "core/retriangulator.h"
@@ -97,6 +98,30 @@ TEST(FlipsInSpace, FourToFourChangesTheDiagonalOfAnOctahedron) {
   auto all = points;
   all.push_back({0, 0.5, 0});
   EXPECT_EQ(simplex_sets(triangulation.complex()), simplex_sets(Triangulation3(all, Engine::star).complex()));
+}
+
+// The flips leave infinity where it is; other callers need not.
+TYPED_TEST(Flips, MayPutInfinityAnywhere) {
+  constexpr int Dim = TypeParam::value;
+  const Triangulation<Dim> original(full_grid<Dim>(2));
+  Simplex ghost;
+  for (const Simplex s : original.complex().simplices()) {
+    if (original.complex().is_ghost(s)) ghost = s;
+  }
+  std::array<std::size_t, Dim + 1> order;
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  do {
+    std::size_t inversions = 0;
+    std::array<Vertex, Dim + 1> corners;
+    for (std::size_t i = 0; i <= Dim; ++i) {
+      corners[i] = original.complex().corner(ghost, static_cast<int>(order[i]));
+      for (std::size_t j = 0; j < i; ++j) inversions += order[j] > order[i] ? 1 : 0;
+    }
+    Triangulation<Dim> triangulation = original;
+    Retriangulator<Dim>().replace(triangulation.mutable_complex(), std::vector{ghost}, std::vector{corners});
+    EXPECT_TRUE(triangulation.complex().is_ghost(ghost));
+    EXPECT_EQ(triangulation.validate().ok(), inversions % 2 == 0) << triangulation.validate();
+  } while (std::next_permutation(order.begin(), order.end()));
 }
 
 // 2-3 in space and 2-2 in the plane, there and back.

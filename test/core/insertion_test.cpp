@@ -190,6 +190,24 @@ TYPED_TEST(Insertion, OfAVertexAgainChangesNothing) {
   EXPECT_TRUE(triangulation.validate().ok());
 }
 
+// All points so far are integers, and so is every zero that the filters prove; the new ones are not.
+TYPED_TEST(Insertion, OfAPointNextToAVertexIsNotTakenForTheVertex) {
+  constexpr int Dim = TypeParam::value;
+  for (const Engine engine : kEngines) {
+    auto points = full_grid<Dim>(3);
+    Triangulation<Dim> triangulation(points);
+    for (const Point<Dim>& q : full_grid<Dim>(3)) {
+      Point<Dim> p = q;
+      for (std::size_t k = 0; k < Dim; ++k) p[k] += std::ldexp(k % 2 == 0 ? 1.0 : -1.0, -50);
+      const auto [vertex, is_new] = triangulation.insert(p, engine);
+      ASSERT_TRUE(is_new);
+      points.push_back(p);
+      ASSERT_TRUE(triangulation.validate().ok()) << triangulation.validate();
+    }
+    EXPECT_EQ(triangulation.hash(), Triangulation<Dim>(points).hash());
+  }
+}
+
 TYPED_TEST(Insertion, RefusesWhatTheGateCannotHold) {
   constexpr int Dim = TypeParam::value;
   Triangulation<Dim> triangulation(full_grid<Dim>(3));

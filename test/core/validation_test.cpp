@@ -98,6 +98,7 @@ TYPED_TEST(Validation, ReportsAFreeSlotListedTwiceAsI1) {
   ASSERT_TRUE(this->triangulation_.validate().ok());
   this->complex_.release(s);
   EXPECT_EQ(this->violated(), typename TestFixture::Names{"I1"});
+  EXPECT_EQ(this->triangulation_.validate().count("I1"), 2U) << "the slot, and the number of simplices";
 }
 
 TYPED_TEST(Validation, ReportsALostSimplexAsI1) {
