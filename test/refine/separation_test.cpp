@@ -197,6 +197,8 @@ TYPED_TEST(SeparationTest, HoldsAfterEveryScheduleAndBoundsTheNumberOfVertices) 
           options.schedule = schedule;
           options.max_ratio = ratio;
           options.fallback = ratio == 1.0 ? Fallback::none : Fallback::circumcenter;
+          // Were separation lost, the run would not end by itself.
+          options.max_vertices = static_cast<std::size_t>(bound) + 1;
           const RefineResult result = Refiner<kDim>(triangulation, domain, flow, options).run();
           ASSERT_EQ(result.stop, Stop::no_candidate);
           inserted += result.inserted;
