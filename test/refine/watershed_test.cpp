@@ -175,6 +175,14 @@ TYPED_TEST(WatershedTest, BoundariesSeparateLabels) {
       EXPECT_FALSE(separating.contains(complex.mate(h)));
       EXPECT_FALSE(complex.is_ghost(Complex<kDim>::simplex_of(h)));
     }
+    // Each facet between different labels, from one side or the other; ghosts have the label of omega.
+    for (const Simplex s : solid_simplices(complex)) {
+      for (int i = 0; i <= kDim; ++i) {
+        const HalfFacet h = Complex<kDim>::half_facet(s, i);
+        ASSERT_EQ(separating.contains(h) || separating.contains(complex.mate(h)),
+                  watersheds[s] != watersheds[complex.neighbor(s, i)]);
+      }
+    }
     // Without the separating facets, the complex falls into pieces of one label each, and each watershed is one
     // piece: its simplices flow to the sink without leaving it.
     std::set<Simplex> met;

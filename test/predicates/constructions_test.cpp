@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+//
+// Powers, vectors to circumcenters and normals against exact integers.
+#include "predicates/constructions.h"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "predicates/input_gate.h"
+#include "test/support/clouds.h"
+#include "test/support/dimensions.h"
+#include "test/support/exact_signs.h"
+
+namespace sinkmesh {
+namespace {
+
+using namespace test;
+
+template <class T>
+class ConstructionsTest : public testing::Test {};
+TYPED_TEST_SUITE(ConstructionsTest, PlaneAndSpace, DimensionName);
+
+/// value / 2^shift.
+mpq_class scaled(const Integer& value, const Integer& divisor, long shift) {
+  mpq_class q(value, divisor);
+  q.canonicalize();
+  if (shift >= 0) {
+    mpq_div_2exp(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(shift));
+  } else {
+    mpq_mul_2exp(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(-shift));
+  }
+  return q;
+}
+
+template <int Dim>
+std::vector<Point<Dim>> gated_cloud(Cloud kind, Random& random) {
+  std::vector<Point<Dim>> points = make_cloud<Dim>(kind, Dim + 2, random);
+  const InputGate<Dim> gate(points);
+  for (auto& p : points) p = gate.in(p);
+  return points;
+}
+
+template <int Dim>
+Corners<Dim> corners(const std::vector<Point<Dim>>& points) {
+  Corners<Dim> s;
+  for (std::size_t i = 0; i <= Dim; ++i) s[i] = &points[i];
+  return s;
+}
+
+TYPED_TEST(ConstructionsTest, PowerIsTheExactOneRounded) {
+  constexpr int kDim = TypeParam::value;
+  Random random(1);
+  std::size_t zeros = 0;
+  std::size_t checked = 0;
+  for (const Cloud kind : kAllClouds) {
+    for (int trial = 0; trial < 400; ++trial) {
+      const auto points = gated_cloud<kDim>(kind, random);
+      const ExactPoints<kDim> p(points);
+      const Integer d = exact_volume<kDim>(p, 0);
+      if (d == 0) continue;
+      // |y-z|^2 - r^2 with z = a + q/(2d): |y-a|^2 - (y-a).q/d.
+      const auto q = exact_center_numerator<kDim>(p, 0, exact_lifts<kDim>(p, 0));
+      const auto e = p.difference(kDim + 1, 0);
+      const mpq_class exact = scaled(inner(e, e) * d - inner(e, q), d, 2 * p.shift());
+      const double value = power<kDim>(corners<kDim>(points), points[kDim + 1]);
+      ++checked;
+      if (exact == 0) {
+        ++zeros;
+        ASSERT_EQ(value, 0);
+      } else {
+        const mpq_class error = (mpq_class(value) - exact) / exact;
+        ASSERT_LT(std::abs(error.get_d()), 0x1p-52);
+      }
+      ASSERT_EQ(power<kDim>(corners<kDim>(points), points[trial % (kDim + 1)]), 0);
+    }
+  }
+  EXPECT_GT(checked, 2000U);
+  EXPECT_GT(zeros, 100U);
+}
+
+TYPED_TEST(ConstructionsTest, VectorToTheCircumcenterIsTheExactOneRounded) {
+  constexpr int kDim = TypeParam::value;
+  Random random(2);
+  for (const Cloud kind : kAllClouds) {
+    for (int trial = 0; trial < 300; ++trial) {
+      auto points = gated_cloud<kDim>(kind, random);
+      if (trial % 3 == 0) points[kDim + 1] = {};
+      const ExactPoints<kDim> p(points);
+      const Integer d = exact_volume<kDim>(p, 0);
+      if (d == 0) continue;
+      const auto q = exact_center_numerator<kDim>(p, 0, exact_lifts<kDim>(p, 0));
+      const auto e = p.difference(0, kDim + 1);
+      const Point<kDim> value = vector_to_circumcenter<kDim>(corners<kDim>(points), points[kDim + 1]);
+      const double reach = std::sqrt(scaled(inner(q, q), 4 * d * d, 2 * p.shift()).get_d());
+      for (std::size_t k = 0; k < kDim; ++k) {
+        const mpq_class exact = scaled(2 * d * e[k] + q[k], 2 * d, p.shift());
+        const mpq_class error = mpq_class(value[k]) - exact;
+        ASSERT_LE(std::abs(error.get_d()), 0x1p-52 * std::abs(exact.get_d()) + 0x1p-98 * reach);
+      }
+    }
+  }
+}
+
+TYPED_TEST(ConstructionsTest, NormalHasExactSignsAndPointsOutward) {
+  constexpr int kDim = TypeParam::value;
+  Random random(3);
+  for (const Cloud kind : kAllClouds) {
+    for (int trial = 0; trial < 300; ++trial) {
+      const auto points = gated_cloud<kDim>(kind, random);
+      const ExactPoints<kDim> p(points);
+      FacetCorners<kDim> facet;
+      for (std::size_t i = 0; i < kDim; ++i) facet[i] = &points[i];
+      const Point<kDim> normal = facet_normal<kDim>(facet);
+      std::vector<Integer> exact;
+      const auto u = p.difference(1, 0);
+      if constexpr (kDim == 2) {
+        exact = {u[1], -u[0]};
+      } else {
+        const auto v = p.difference(2, 0);
+        exact = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      }
+      for (std::size_t k = 0; k < kDim; ++k) {
+        const mpq_class n = scaled(exact[k], 1, (kDim - 1) * p.shift());
+        if (n == 0) {
+          ASSERT_EQ(normal[k], 0);
+          ASSERT_FALSE(std::signbit(normal[k]));
+        } else {
+          const mpq_class error = (mpq_class(normal[k]) - n) / n;
+          ASSERT_LT(std::abs(error.get_d()), 0x1p-52);
+        }
+      }
+    }
+  }
+}
+
+TEST(InputGate, AdmitsWhatPredicatesAreExactFor) {
+  const InputGate<2> gate(std::vector<Point2>{{3, 0}, {0, -1}});  // scaled by 1/2
+  EXPECT_TRUE(gate.admits({3.999, -3.999}));
+  EXPECT_FALSE(gate.admits({4, 0}));
+  EXPECT_FALSE(gate.admits({0, -HUGE_VAL}));
+  EXPECT_FALSE(gate.admits({std::nan(""), 0}));
+}
+
+}  // namespace
+}  // namespace sinkmesh
