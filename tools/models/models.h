@@ -6,9 +6,10 @@
 // a facet of the Delaunay triangulation of the points. It is stable: no flow leads out of it, and all
 // circumcenters of simplices inside are inside. The same arguments give the same model.
 //
-// Sizes are the paper's by default, and everything is sampled more coarsely or finely for others: between a tenth
-// and ten times of that. The number of triangles is met within two percent, mostly exactly. Finer models
-// have more slender simplices inside, since nothing but the surface is sampled.
+// The functions take the number of triangles that is wanted, and meet it within two percent, mostly exactly. They
+// are meant for a tenth to ten times the paper's number (Model::least_triangles(), most_triangles()) and tested
+// there; beyond, they may break these promises or throw std::logic_error. Finer models have more slender simplices
+// inside, since nothing but the surface is sampled.
 #pragma once
 
 #include <cstddef>

@@ -3,8 +3,11 @@
 // The star-shaped cavity of a rocket motor, and the propellant around it.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "refine/vector.h"
 #include "tools/models/models.h"
@@ -16,7 +19,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Metres [EG01, 5.5, 5.6]; the outer radius is read off figure 11.
+// Metres [EG01, 5.5, 5.6]; but the paper does not say how thick the propellant is. With this radius the initial
+// tetrahedra of the head have the paper's ratios.
 constexpr double kLength = 4;
 constexpr double kCoreRadius = 0.5;
 constexpr int kFins = 11;
