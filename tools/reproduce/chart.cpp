@@ -12,12 +12,12 @@
 namespace sinkmesh::reproduce {
 namespace {
 
-constexpr double kWidth = 760;
-constexpr double kHeight = 500;
+constexpr double kWidth = 580;
+constexpr double kHeight = 470;
 constexpr Box<2> plot_area() {
   Box<2> box;
-  box.low = {104, 112};
-  box.high = {kWidth - 24, kHeight - 66};
+  box.low = {92, 130};
+  box.high = {kWidth - 24, kHeight - 62};
   return box;
 }
 
@@ -76,7 +76,7 @@ void draw_axes(SvgCanvas& canvas, const Chart& chart, const Axes& axes) {
   canvas.segments(grid, "grid");
   std::vector<Segment> marks = {{{area.low[0], area.high[1]}, {area.high[0], area.high[1]}}};
   for (const double x : axes.x_ticks()) {
-    if (x > axes.data().high[0] || x != std::floor(x)) continue;
+    if (x < axes.data().low[0] || x > axes.data().high[0] || x != std::floor(x)) continue;
     const double at = axes({x, axes.data().low[1]})[0];
     marks.push_back({{at, area.high[1]}, {at, area.high[1] + 6}});
     canvas.text({at, area.high[1] + 25}, tick_text(x), "small muted", Anchor::middle);
@@ -150,7 +150,7 @@ std::string draw(const Chart& chart) {
   canvas.rule(".axis", "fill:none;stroke:var(--c-muted);stroke-width:1.2");
   canvas.rule(".c0", "fill:none;stroke:var(--c-accent);stroke-width:3");
   canvas.rule(".c1", "fill:none;stroke:var(--c-fill-3);stroke-width:3");
-  canvas.rule(".c2", "fill:none;stroke:var(--c-muted);stroke-width:3");
+  canvas.rule(".c2", "fill:none;stroke:var(--c-ink);stroke-width:2.2");
   canvas.rule(".kind", "fill:none;stroke:var(--c-ink);stroke-width:2.4");
   canvas.rule(".circ", "stroke-dasharray:9 7;stroke-width:2.4");
   canvas.rule(".paper-value", "fill:var(--c-paper);stroke:var(--c-ink);stroke-width:2.2");

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/text/numbers.h"
+
 namespace sinkmesh::reproduce {
 namespace {
 
@@ -22,7 +24,10 @@ struct Range {
   }
 };
 
-std::string text(const Range& range) { return fmt::format("{:.2f} to {:.2f}", range.low, range.high); }
+std::string words(const Range& range) {
+  const auto number = [](double x) { return fmt::format("{:.{}f}", x, x < 10 ? 2 : 0); };
+  return fmt::format("{} to {}", number(range.low), number(range.high));
+}
 
 // Over the models in space: value(circumcenter run) / value(sink run).
 template <class Value>
@@ -39,7 +44,7 @@ Range ratios(const std::vector<Study>& studies, Schedule schedule, bool literal,
 double simplices(const Run& run) { return static_cast<double>(run.mesh.simplices); }
 double average(const Run& run) { return run.mesh.ratio_avg; }
 double candidates(const Run& run) { return static_cast<double>(run.result.candidates); }
-double seconds(const Run& run) { return run.user_seconds; }
+double seconds(const Run& run) { return run.cpu_seconds; }
 
 std::string verdict(bool holds, bool in_part = false) {
   return holds ? "holds" : in_part ? "holds in part" : "does not hold";
@@ -58,7 +63,7 @@ Claim same_quality(const std::vector<Study>& studies) {
           fmt::format(
               "Over the four models in space and all schedules, circumcenter / sink is {} for the number of "
               "tetrahedra and {} for the average ratio.",
-              text(size), text(quality))};
+              words(size), words(quality))};
 }
 
 Claim shared_sinks(const std::vector<Study>& studies) {
@@ -69,14 +74,15 @@ Claim shared_sinks(const std::vector<Study>& studies) {
     const auto first = [&](Insert insert) {
       return study.run({insert, Schedule::parallel, true}).rounds.at(1).candidates;
     };
-    initial += fmt::format("{}{} sinks for {} circumcenters ({})", initial.empty() ? "" : ", ",
-                           first(Insert::sink), first(Insert::circumcenter), study.model);
+    initial += fmt::format(
+        "{}{} for {} ({})", initial.empty() ? "" : ", ", text::count(first(Insert::sink), "sink", "sinks"),
+        text::count(first(Insert::circumcenter), "circumcenter", "circumcenters"), study.model);
   }
   return {"Tetrahedra of low quality cluster and share sinks, so that far fewer points are tried.",
           verdict(range.low > 1.5),
           fmt::format(
               "Candidates over all literal parallel rounds, circumcenter / sink: {}. In the first round: {}.",
-              text(range), initial)};
+              words(range), initial)};
 }
 
 Claim faster_in_parallel(const std::vector<Study>& studies) {
@@ -84,9 +90,9 @@ Claim faster_in_parallel(const std::vector<Study>& studies) {
   return {
       "In the parallel schedule, insertion of sinks is several times faster.", verdict(range.low > 1.5),
       fmt::format(
-          "User time of the literal rounds, circumcenter / sink: {}. Nearly all of it goes into the prestars "
+          "CPU time of the literal rounds, circumcenter / sink: {}. Nearly all of it goes into the prestars "
           "of candidates.",
-          text(range))};
+          words(range))};
 }
 
 Claim faster_in_every_schedule(const std::vector<Study>& studies) {
@@ -100,7 +106,7 @@ Claim faster_in_every_schedule(const std::vector<Study>& studies) {
           "The advantage belongs to the schedule. With pruned parallel rounds the ratio is {}, in blocks {}, "
           "in the incremental schedule {}: there each candidate is tried once, almost every one is "
           "inserted, and both kinds of points cost about the same.",
-          text(pruned), text(block), text(incremental))};
+          words(pruned), words(block), words(incremental))};
 }
 
 Claim conditioning(const std::vector<Study>& studies) {
@@ -132,7 +138,7 @@ Claim schedules_agree(const std::vector<Study>& studies) {
   return {"The schedule has no significant effect on size and quality.",
           verdict(range.low > 0.9 && range.high < 1.1),
           fmt::format("Simplices in blocks and in parallel over those of the incremental schedule: {}.",
-                      text(range))};
+                      words(range))};
 }
 
 Claim literal_is_pruned(const std::vector<Study>& studies) {

@@ -55,7 +55,7 @@ Json to_json(const Run& run) {
             {"separation", run.result.rejected.separation},
             {"dependent", run.result.rejected.dependent}}},
           {"hash", fmt::format("{:016x}", run.hash)},
-          {"user_seconds", run.user_seconds}};
+          {"cpu_seconds", run.cpu_seconds}};
 }
 
 std::string plan_csv(const Study& study, const Plan& plan) {
@@ -93,12 +93,12 @@ std::string results_json(const std::vector<Study>& studies, const std::string& m
 std::string runs_csv(const std::vector<Study>& studies) {
   std::string csv =
       "model,insert,schedule,literal,simplices,low_quality,ratio_min,ratio_avg,ratio_max,inserted,rounds,"
-      "candidates,prestars,user_seconds\n";
+      "candidates,prestars,cpu_seconds\n";
   for (const Study& study : studies) {
     for (const Run& run : study.runs) {
       csv += fmt::format("{},{},{},{},{},{},{}\n", plan_csv(study, run.plan), mesh_csv(run.mesh),
                          run.result.inserted, run.result.rounds, run.result.candidates, run.result.prestars,
-                         run.user_seconds);
+                         run.cpu_seconds);
     }
   }
   return csv;

@@ -67,8 +67,8 @@ std::vector<std::string> evolution_charts(const Study& study, Schedule schedule)
                            "Candidates of each round, those that pass the boundary test, and those inserted.");
   candidates.y_label = "points, logarithmic";
   candidates.y_scale = AxisScale::logarithmic;
-  candidates.colour_names = {"candidates", "pass the boundary test",
-                             schedule == Schedule::block ? "block" : "independent set"};
+  candidates.colour_names = {"candidates", "pass the test",
+                             schedule == Schedule::block ? "in the block" : "independent"};
   add(candidates, 1, [](const Round& r) { return r.candidates; });
   add(candidates, 1, [](const Round& r) { return r.passed_boundary; });
   add(candidates, 1, [](const Round& r) { return r.inserted; });

@@ -54,6 +54,11 @@ void add(Cells& cells, const Pair& pair) {
   cells.push_back("<b>" + pair.ours + "</b>");
 }
 
+// Three digits, since a run takes from a millisecond to a minute.
+std::string seconds_text(double seconds) {
+  return fmt::format("{:.{}f}", seconds, seconds < 0.1 ? 4 : seconds < 1 ? 3 : seconds < 10 ? 2 : 1);
+}
+
 struct PaperMesh {
   std::string simplices = kNone, low = kNone, min = kNone, avg = kNone, max = kNone;
 
@@ -109,8 +114,8 @@ const Run& with(const Study& study, Plan plan, Insert insert) {
 }
 
 double time_ratio(const Study& study, const Plan& plan) {
-  return ratio(with(study, plan, Insert::circumcenter).user_seconds,
-               with(study, plan, Insert::sink).user_seconds);
+  return ratio(with(study, plan, Insert::circumcenter).cpu_seconds,
+               with(study, plan, Insert::sink).cpu_seconds);
 }
 
 std::string paper_time_ratio(const PaperModel& paper, Schedule schedule) {
@@ -164,7 +169,7 @@ std::string cost_table(const Study& study) {
       const PaperRow* const theirs = plan.literal ? paper_row(paper, run->plan) : nullptr;
       body += row({fmt::format("{}, {}", insert_text(run->plan.insert), schedule_text(plan)),
                    grouped(run->result.inserted), grouped(run->result.rounds), grouped(run->result.candidates),
-                   grouped(run->result.prestars), fmt::format("{:.3f}", run->user_seconds),
+                   grouped(run->result.prestars), seconds_text(run->cpu_seconds),
                    theirs != nullptr && theirs->minutes ? std::to_string(*theirs->minutes) : kNone});
     }
     body += row(
@@ -178,7 +183,7 @@ std::string cost_table(const Study& study) {
   }
   return table("What the two kinds of points cost",
                "<tr><td></td><th>inserted</th><th>rounds</th><th>candidates</th><th>prestars</th>"
-               "<th>user time, s</th><th>paper, min</th></tr>",
+               "<th>CPU time, s</th><th>paper, min</th></tr>",
                body);
 }
 

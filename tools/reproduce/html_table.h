@@ -12,7 +12,7 @@ namespace sinkmesh::reproduce {
 /// The surface and every mesh: simplices, low quality, ratio; the paper's value beside ours.
 std::string mesh_table(const Study& study);
 
-/// What the kinds of points cost: candidates, prestars and user time of each schedule, and their ratios
+/// What the kinds of points cost: candidates, prestars and CPU time of each schedule, and their ratios
 /// circumcenter / sink; the paper's times and their ratio.
 std::string cost_table(const Study& study);
 

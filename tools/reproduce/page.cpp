@@ -8,6 +8,7 @@
 #include "tools/reproduce/html_table.h"
 #include "tools/reproduce/paper.h"
 #include "tools/reproduce/svg_canvas.h"
+#include "tools/text/numbers.h"
 
 namespace sinkmesh::reproduce {
 namespace {
@@ -30,7 +31,7 @@ figure { margin: 1.5rem 0; }
 figure svg, figure img { display: block; width: 100%; height: auto; }
 figcaption { color: var(--muted); font-size: .93rem; max-width: 90ch; margin-top: .4rem; }
 .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(380px, 1fr)); gap: 1.5rem; align-items: start; }
-.charts { grid-template-columns: repeat(auto-fit, minmax(520px, 1fr)); }
+.charts { grid-template-columns: repeat(auto-fit, minmax(390px, 1fr)); }
 .wide > * { min-width: 0; }
 .scroll { overflow-x: auto; margin: 1.5rem 0; }
 table { border-collapse: collapse; font-size: .92rem; font-variant-numeric: tabular-nums; }
@@ -82,9 +83,10 @@ std::string study_section(const StudyPage& content) {
   html += fmt::format(
       "<p>Our stand-in has {} boundary {}; its stable subcomplex starts with {} {}, {} of them with r/ℓ above "
       "{:g}, "
-      "and {} sinks.</p>\n",
-      study.facets, plane ? "edges" : "triangles", study.initial.simplices, plane ? "triangles" : "tetrahedra",
-      study.initial.low_quality, study.max_ratio, study.sinks);
+      "and {}.</p>\n",
+      text::grouped(study.facets), plane ? "edges" : "triangles", text::grouped(study.initial.simplices),
+      plane ? "triangles" : "tetrahedra", text::grouped(study.initial.low_quality), study.max_ratio,
+      text::count(study.sinks, "sink", "sinks"));
   if (plane) {
     html += "<p>The outline is not the paper's, so absolute counts differ from its.</p>\n";
   }
@@ -112,7 +114,7 @@ std::string page(const PageContent& content) {
       "(SoCG 2001), computed anew by <code>sinkmesh reproduce</code> on stand-ins for its five data sets. "
       "Numbers of "
       "the paper stand beside ours; all others come from the runs.</p>\n"
-      "<p class=\"muted\">Machine: {}. The paper's: Pentium II, 450 MHz. User times are of the refinement "
+      "<p class=\"muted\">Machine: {}. The paper's: Pentium II, 450 MHz. CPU times are of the refinement "
       "alone, one "
       "thread. Everything on this page took {:.0f} s.</p>\n",
       kStyle, escape(content.machine), content.total_seconds);

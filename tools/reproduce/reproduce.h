@@ -28,7 +28,7 @@ struct Reproduction {
 
 /// @param machine  what it runs on, for the page.
 /// @param tell     called with what is being done; never from two threads at once.
-/// Cost: about a minute and a half of user time for the paper's sizes, on as many threads as there are cores.
+/// Cost: about a minute and a half of CPU time for the paper's sizes, on as many threads as there are cores.
 Reproduction reproduce(const Models& models, const std::string& machine,
                        const std::function<void(std::string_view)>& tell);
 

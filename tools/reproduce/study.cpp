@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tools/reproduce/study.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <stdexcept>
 
 #include "predicates/circumcenter.h"
@@ -15,15 +14,11 @@
 namespace sinkmesh::reproduce {
 namespace {
 
-// Of this thread, where the system tells.
-double user_seconds() {
-  rusage usage{};
-#ifdef RUSAGE_THREAD
-  getrusage(RUSAGE_THREAD, &usage);
-#else
-  getrusage(RUSAGE_SELF, &usage);
-#endif
-  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+// Of this thread. Finer than what getrusage() tells, which counts ticks on many systems.
+double cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 MeshNumbers numbers(const QualityStatistics& quality) {
@@ -150,14 +145,14 @@ Run refine_as(const Surface<Dim>& surface, double max_ratio, const Plan& plan) {
   options.schedule = plan.schedule;
   options.literal = plan.literal;
   options.observer = [&](const Progress& progress) {
-    const double start = user_seconds();
+    const double start = cpu_seconds();
     run.rounds.push_back(
         {numbers(progress.statistics()), progress.candidates, progress.passed_boundary, progress.inserted});
-    observer_seconds += user_seconds() - start;
+    observer_seconds += cpu_seconds() - start;
   };
-  const double start = user_seconds();
+  const double start = cpu_seconds();
   run.result = mesher.refine(options);
-  run.user_seconds = user_seconds() - start - observer_seconds;
+  run.cpu_seconds = cpu_seconds() - start - observer_seconds;
   run.mesh = numbers(mesher.statistics(max_ratio));
   run.hash = mesher.hash();
   return run;

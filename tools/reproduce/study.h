@@ -48,7 +48,7 @@ struct Run {
   std::vector<Round> rounds;
   std::uint64_t hash = 0;
   /// Of the refinement alone, without what the observer costs.
-  double user_seconds = 0;
+  double cpu_seconds = 0;
 };
 
 /// How well the points for the low-quality simplices of the initial mesh can be computed in plain doubles: the
