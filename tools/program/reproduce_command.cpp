@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <system_error>
 #include <variant>
+#include <vector>
 
 #include "tools/io/detail/file.h"
 #include "tools/io/file_error.h"
@@ -33,7 +34,9 @@ std::filesystem::path output_folder(const std::string& name) {
 CLI::App* add_reproduce_command(CLI::App& program, ReproduceArguments& arguments) {
   CLI::App* const command = program.add_subcommand(
       "reproduce", "Every table and figure of the paper, computed anew, as one page to look at");
-  command->add_option("--out", arguments.folder, "Folder for index.html, results.json, runs.csv, rounds.csv")
+  command
+      ->add_option("--out", arguments.folder,
+                   "Folder for index.html, its numbers (.json, .csv) and its pictures")
       ->type_name("DIR")
       ->capture_default_str();
   command->add_flag("-q,--quiet", arguments.quiet, "No summary, no progress");
@@ -43,9 +46,7 @@ CLI::App* add_reproduce_command(CLI::App& program, ReproduceArguments& arguments
 
 ExitStatus run(const ReproduceArguments& arguments) {
   const std::filesystem::path folder = output_folder(arguments.folder);
-  for (const char* const name : {"index.html", "results.json", "runs.csv", "rounds.csv"}) {
-    check_writable((folder / name).string());
-  }
+  check_writable((folder / "index.html").string());
   ProgressLine progress(!arguments.quiet);
   progress.phase("generating the models");
   reproduce::Models models;
@@ -57,12 +58,9 @@ ExitStatus run(const ReproduceArguments& arguments) {
                                    std::get<Surface3 (*)(std::size_t)>(model.make)(model.triangles));
     }
   }
-  const reproduce::Reproduction result = reproduce::reproduce(
+  const std::vector<reproduce::File> files = reproduce::reproduce(
       models, reproduce::describe_machine(), [&progress](std::string_view what) { progress.phase(what); });
-  io_detail::write_file((folder / "results.json").string(), result.json);
-  io_detail::write_file((folder / "runs.csv").string(), result.runs_csv);
-  io_detail::write_file((folder / "rounds.csv").string(), result.rounds_csv);
-  io_detail::write_file((folder / "index.html").string(), result.page);
+  for (const reproduce::File& file : files) io_detail::write_file((folder / file.name).string(), file.bytes);
   progress.erase();
   if (!arguments.quiet) print(fmt::format("open {} in a browser\n", (folder / "index.html").string()));
   return ExitStatus::done;

@@ -11,10 +11,12 @@
 
 namespace sinkmesh::reproduce {
 
-/// A picture as HTML (<svg> or <img>), and what it shows.
+/// A picture as HTML (<svg> or <img>), what it shows, and the same as a file of its own.
 struct Picture {
   std::string html;
   std::string caption;
+  std::string file_name;
+  std::string file;
 };
 
 struct StudyPage {

@@ -99,11 +99,16 @@ void add_study(TaskQueue& queue, const std::string& model, const Surface<Dim>& s
   }
 }
 
-Picture image(const Image& picture, const std::string& description, const std::string& caption) {
-  return {fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\">",
-                      data_uri("image/png", encode_png(picture)), picture.width, picture.height,
-                      escape(description)),
-          caption};
+Picture image(const Image& picture, const std::string& name, const std::string& description,
+              const std::string& caption) {
+  std::string bytes = encode_png(picture);
+  return {fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\">", data_uri("image/png", bytes),
+                      picture.width, picture.height, escape(description)),
+          caption, name + ".png", std::move(bytes)};
+}
+
+Picture drawing(const std::string& svg, const std::string& name, const std::string& caption) {
+  return {svg, caption, name + ".svg", svg};
 }
 
 // The surface, and cuts through the mesh inside, before and after.
@@ -112,43 +117,62 @@ std::vector<Picture> pictures_in_space(const std::string& model, const Surface3&
   SurfaceMesher3 mesher(surface);
   mesher.find_domain();
   const RatioScale scale{kSpaceRatio, std::max(2 * kSpaceRatio, mesher.statistics(kSpaceRatio).max_ratio())};
-  const auto cut = [&](const char* when) {
+  const auto cut = [&](const char* name, const char* when) {
     return image(cut_view(mesher.mesh(), cut_of(model), cut_view_of(model), scale, kPictureWidth, height),
-                 fmt::format("Cut through the mesh of the {}, {}", model, when),
+                 model + name, fmt::format("Cut through the mesh of the {}, {}", model, when),
                  fmt::format("A cut through the interior, {}; colour: r/ℓ.{}", when, colour_bar_svg(scale)));
   };
   std::vector<Picture> pictures = {image(surface_view(surface, view_of(model), kPictureWidth, height),
-                                         fmt::format("The surface of the {}", model), "The input surface.")};
-  pictures.push_back(cut("before"));
+                                         model + "-surface", fmt::format("The surface of the {}", model),
+                                         "The input surface.")};
+  pictures.push_back(cut("-before", "before"));
   RefineOptions options;
   options.max_ratio = kSpaceRatio;
   options.schedule = Schedule::parallel;
   mesher.refine(options);
-  pictures.push_back(cut("after inserting sinks in parallel"));
+  pictures.push_back(cut("-after", "after inserting sinks in parallel"));
   return pictures;
 }
 
 std::vector<Picture> plane_figures(const Surface2& usa) {
   return {
-      {figure_level_sets(),
-       "Figure 1. Left: level sets of π over the Voronoi diagram. Right: level sets of φ over the Delaunay "
-       "triangulation. Lighter is higher."},
-      {figure_watersheds(usa),
-       "Figure 2. Triangles that contain their own circumcenters, the sinks, and the bold boundaries of their "
-       "ancestor "
-       "sets."},
-      {figure_graph_of_phi(usa), "Figure 3. The graph of φ, one paraboloid patch for each triangle."},
-      {figure_flow_relation(),
-       "Figure 4. The flow relation between two triangles, and in a whole triangulation."},
-      {figure_flowers(), "Figure 5. The prestar of a point and its star, and the flowers of both."},
-      {figure_first_sinks(usa), "Figure 6. The USA before, and after 4, 12 and 15 sinks, r/ℓ ≤ 1."},
+      drawing(
+          figure_level_sets(), "figure-1",
+          "Figure 1. Left: level sets of π over the Voronoi diagram. Right: level sets of φ over the Delaunay "
+          "triangulation. Lighter is higher."),
+      drawing(figure_watersheds(usa), "figure-2",
+              "Figure 2. Triangles that contain their own circumcenters, the sinks, and the bold boundaries of "
+              "their ancestor sets."),
+      drawing(figure_graph_of_phi(usa), "figure-3",
+              "Figure 3. The graph of φ, one paraboloid patch for each triangle; low values on top."),
+      drawing(figure_flow_relation(), "figure-4",
+              "Figure 4. The flow relation between two triangles, and in a whole triangulation."),
+      drawing(figure_flowers(), "figure-5",
+              "Figure 5. The prestar of a point and its star, and the flowers of both."),
+      drawing(figure_first_sinks(usa), "figure-6",
+              "Figure 6. The USA before, and after 4, 12 and 15 sinks, r/ℓ ≤ 1."),
   };
+}
+
+std::vector<File> all_files(PageContent& content) {
+  std::vector<Study> studies;
+  for (const StudyPage& s : content.studies) studies.push_back(s.study);
+  std::vector<File> files = {{"results.json", results_json(studies, content.machine)},
+                             {"runs.csv", runs_csv(studies)},
+                             {"rounds.csv", rounds_csv(studies)}};
+  const auto add = [&](std::vector<Picture>& pictures) {
+    for (Picture& picture : pictures) files.push_back({picture.file_name, std::move(picture.file)});
+  };
+  add(content.figures);
+  for (StudyPage& s : content.studies) add(s.pictures);
+  files.push_back({"index.html", page(content)});  // last: when it is there, all is there
+  return files;
 }
 
 }  // namespace
 
-Reproduction reproduce(const Models& models, const std::string& machine,
-                       const std::function<void(std::string_view)>& tell) {
+std::vector<File> reproduce(const Models& models, const std::string& machine,
+                            const std::function<void(std::string_view)>& tell) {
   const auto start = std::chrono::steady_clock::now();
   PageContent content;
   content.machine = machine;
@@ -157,9 +181,9 @@ Reproduction reproduce(const Models& models, const std::string& machine,
   add_study(queue, "usa", models.usa, kPlaneRatio, content.studies[0].study);
   queue.add(0, "figures of the plane", [&] {
     content.figures = plane_figures(models.usa);
-    content.studies[0].pictures = {
-        {figure_block_meshes(models.usa),
-         "The USA after inserting sinks, and circumcenters, in blocks, r/ℓ ≤ 1. Boundary edges are kept."}};
+    content.studies[0].pictures = {drawing(
+        figure_block_meshes(models.usa), "figure-7",
+        "The USA after inserting sinks, and circumcenters, in blocks, r/ℓ ≤ 1. Boundary edges are kept.")};
   });
   for (std::size_t k = 0; k < models.in_space.size(); ++k) {
     const std::string& name = models.in_space[k].first;
@@ -170,10 +194,8 @@ Reproduction reproduce(const Models& models, const std::string& machine,
   }
   queue.run_all(tell);
 
-  std::vector<Study> studies;
-  for (const StudyPage& s : content.studies) studies.push_back(s.study);
   content.total_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {page(content), results_json(studies, machine), runs_csv(studies), rounds_csv(studies)};
+  return all_files(content);
 }
 
 }  // namespace sinkmesh::reproduce
