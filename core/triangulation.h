@@ -74,8 +74,8 @@ class Triangulation {
   };
   /// Inserts one point; its vertex gets the next id.
   /// @param p  in the units of the input; rounded to the grid of the gate.
-  /// @throws InputError if p is not finite, or has a coordinate beyond the gate: not below the first power of two
-  ///         above all |coordinates| of the input.
+  /// @throws InputError if p is not finite, or has a coordinate beyond the gate: not below the first power of
+  ///         two above all |coordinates| of the input.
   Insertion insert(const Point<Dim>& p, Engine engine = Engine::star, Simplex hint = {});
 
   // -- the prestar of a point, for callers that want to look before they insert [EG01, 4.1]

@@ -50,7 +50,8 @@ bool same_records(const Complex<Dim>& a, const Complex<Dim>& b) {
                      a.records().size() * sizeof(typename Complex<Dim>::Record)) == 0;
 }
 
-/// Calls check(triangulation, points, p) for grid clouds and points in, on and around them, none of them a vertex.
+/// Calls check(triangulation, points, p) for grid clouds and points in, on and around them, none of them a
+/// vertex.
 template <int Dim, class Check>
 void for_clouds_and_points(std::uint64_t seed, int clouds, Check&& check) {
   Random random(seed);
@@ -74,7 +75,8 @@ template <class Dimension>
 class Prestar : public testing::Test {};
 TYPED_TEST_SUITE(Prestar, Dimensions, DimensionNames);
 
-// From every simplex in conflict, solid or ghost, the search finds the same set: what the oracle's complex loses.
+// From every simplex in conflict, solid or ghost, the search finds the same set: what the oracle's complex
+// loses.
 TYPED_TEST(Prestar, IsWhatTheComplexLosesAndItsStarWhatItGains) {
   constexpr int Dim = TypeParam::value;
   std::size_t ghosts = 0;
@@ -165,7 +167,8 @@ struct RecordingGuide {
   }
 };
 
-// What a search with walls finds is the part of the prestar around its start that is left when the walls are taken out.
+// What a search with walls finds is the part of the prestar around its start that is left when the walls are
+// taken out.
 TYPED_TEST(Prestar, EndsAtWalls) {
   constexpr int Dim = TypeParam::value;
   Random random(2);

@@ -133,8 +133,8 @@ TYPED_TEST(ComplexOf, OneSimplexAndItsGhostsIsASphere) {
   }
 }
 
-// Counterclockwise seen from outside: the outer normal of a facet is the cross product of its edges (in the plane, the
-// edge turned to the right), and a ghost with a point beyond in the place of infinity is positive.
+// Counterclockwise seen from outside: the outer normal of a facet is the cross product of its edges (in the
+// plane, the edge turned to the right), and a ghost with a point beyond in the place of infinity is positive.
 TYPED_TEST(ComplexOf, FacetsAndGhostsAreSeenFromOutside) {
   constexpr int Dim = TypeParam::value;
   const Complex<Dim> complex = sphere_complex<Dim>();
@@ -219,7 +219,8 @@ TYPED_TEST(ComplexOf, RefusesMoreSimplicesThanHalfFacetsHaveNumbers) {
   EXPECT_EQ(complex.num_simplices(), static_cast<std::size_t>(Dim + 2));
 }
 
-// A stamp tells the vertices numbered in this operation from those of all earlier ones, also when stamps start again.
+// A stamp tells the vertices numbered in this operation from those of all earlier ones, also when stamps start
+// again.
 TYPED_TEST(ComplexOf, AFreshStampIsHeldByNoVertex) {
   constexpr int Dim = TypeParam::value;
   Complex<Dim> complex = sphere_complex<Dim>();

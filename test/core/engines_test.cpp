@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Two engines, one complex: facet for facet, on degenerate points of every kind, in any order; and the oracle's.
+// Two engines, one complex: facet for facet, on degenerate points of every kind, in any order; and the
+// oracle's.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +29,8 @@ std::optional<Triangulation<Dim>> triangulate(const std::vector<Point<Dim>>& poi
   }
 }
 
-// Points with few coordinates are mostly collinear, coplanar or cospherical: the tie rules decide everything here.
+// Points with few coordinates are mostly collinear, coplanar or cospherical: the tie rules decide everything
+// here.
 TYPED_TEST(Engines, BuildTheOraclesComplexOfTenThousandGridClouds) {
   constexpr int Dim = TypeParam::value;
   Random random(2);
@@ -196,8 +198,8 @@ TYPED_TEST(Engines, AgreeOnEveryShapeInAnyOrder) {
   }
 }
 
-// The order of the input must not show even where all is decided by ties; with the ids mapped back, because equal
-// hashes alone would not show a hash that looks away.
+// The order of the input must not show even where all is decided by ties; with the ids mapped back, because
+// equal hashes alone would not show a hash that looks away.
 TYPED_TEST(Engines, IgnoreTheOrderOfTheInput) {
   constexpr int Dim = TypeParam::value;
   Random random(5);

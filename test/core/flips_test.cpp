@@ -34,8 +34,8 @@ Location<Dim> insert_counted(Triangulation<Dim>& triangulation, FlipInserter<Dim
   return at;
 }
 
-// On a small grid inserted in random order, points fall into simplices, facets, edges and outside, and everything is
-// coplanar with something. The number of simplices must change as the flips say.
+// On a small grid inserted in random order, points fall into simplices, facets, edges and outside, and
+// everything is coplanar with something. The number of simplices must change as the flips say.
 TYPED_TEST(Flips, OfEveryKindOccurAndAccountForTheNumberOfSimplices) {
   constexpr int Dim = TypeParam::value;
   Random random(1);
@@ -87,7 +87,8 @@ TYPED_TEST(Flips, OfEveryKindOccurAndAccountForTheNumberOfSimplices) {
   EXPECT_EQ(total.four_to_four > 0, Dim == 3);
 }
 
-// Four points of the plane through an edge, around which there are four tetrahedra, and the edge is the wrong diagonal.
+// Four points of the plane through an edge, around which there are four tetrahedra, and the edge is the wrong
+// diagonal.
 TEST(FlipsInSpace, FourToFourChangesTheDiagonalOfAnOctahedron) {
   // The octahedron ±e1, ±e2, ±2 e3 and, to begin with, without e2.
   const std::vector<Point3> points{{1, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 2}, {0, 0, -2}};

@@ -60,8 +60,8 @@ Point<Dim> random_point_in_box_of_ball(const Triangulation<Dim>& triangulation, 
   return y;
 }
 
-// Fl Pt x is contained in Fl St x. Sampling cannot prove it, but a wrong prestar or star fails at once. Points on a grid
-// as well, where many spheres coincide.
+// Fl Pt x is contained in Fl St x. Sampling cannot prove it, but a wrong prestar or star fails at once. Points
+// on a grid as well, where many spheres coincide.
 TYPED_TEST(FlowerLemma, PrestarFlowerLiesInsideStarFlower) {
   constexpr int Dim = TypeParam::value;
   std::size_t checked = 0;

@@ -85,7 +85,8 @@ TYPED_TEST(Insertion, OfManyPointsEqualsBulkLoading) {
   }
 }
 
-// From a small simplex in a corner, along the axes and diagonals: many hull facets are visible at once, or coplanar.
+// From a small simplex in a corner, along the axes and diagonals: many hull facets are visible at once, or
+// coplanar.
 TYPED_TEST(Insertion, GrowsTheHullFromTheInsideOut) {
   constexpr int Dim = TypeParam::value;
   Random random(3);
@@ -107,8 +108,8 @@ TYPED_TEST(Insertion, GrowsTheHullFromTheInsideOut) {
   }
 }
 
-/// Points on a circle or sphere up to rounding, so that the prestar of the centre is all of it; the first 2 Dim on the
-/// axes, so that the centre is inside.
+/// Points on a circle or sphere up to rounding, so that the prestar of the centre is all of it; the first 2 Dim
+/// on the axes, so that the centre is inside.
 template <int Dim>
 std::vector<Point<Dim>> round_cloud(std::size_t n, Random& random) {
   std::vector<Point<Dim>> points(n);

@@ -30,7 +30,8 @@ std::vector<Point<Dim>> cloud_in_gate(Random& random) {
   return points;
 }
 
-/// Signs of the barycentric coordinates of p, from volumes in integers. In a ghost: of p in the place of infinity.
+/// Signs of the barycentric coordinates of p, from volumes in integers. In a ghost: of p in the place of
+/// infinity.
 template <int Dim>
 std::array<int, Dim + 1> signs_in(const Triangulation<Dim>& triangulation, Simplex s, const PointArg<Dim>& p) {
   const auto& complex = triangulation.complex();
@@ -66,8 +67,8 @@ void expect_right(const Triangulation<Dim>& triangulation, const Location<Dim>& 
   ASSERT_EQ(at.is_at_corner(), std::count(expected.begin(), expected.end(), 1) == 1);
 }
 
-/// Points that lie on faces of every dimension: centres of gravity of all subsets of corners. Coordinates of the
-/// vertices must be multiples of 12.
+/// Points that lie on faces of every dimension: centres of gravity of all subsets of corners. Coordinates of
+/// the vertices must be multiples of 12.
 template <int Dim>
 std::vector<Point<Dim>> centres_of_faces(const Triangulation<Dim>& triangulation) {
   std::vector<Point<Dim>> centres;

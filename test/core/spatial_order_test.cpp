@@ -39,7 +39,8 @@ void for_all_cells(const std::array<std::uint32_t, Dim>& base, int levels, Visit
   }
 }
 
-// Within an aligned cube, anywhere, the curve visits each cell once, without leaving, from neighbour to neighbour.
+// Within an aligned cube, anywhere, the curve visits each cell once, without leaving, from neighbour to
+// neighbour.
 TYPED_TEST(Hilbert, NeighboursOnTheCurveAreNeighboursInSpace) {
   constexpr int Dim = TypeParam::value;
   using Curve = HilbertCurve<Dim>;
@@ -157,8 +158,8 @@ TYPED_TEST(SpatialOrder, IsAFunctionOfTheSetOfPoints) {
   }
 }
 
-// Points in the middle of cells of the curve, distinct cells: the order is by round, then by place. Small sets and large
-// ones take different ways to sort.
+// Points in the middle of cells of the curve, distinct cells: the order is by round, then by place. Small sets
+// and large ones take different ways to sort.
 TYPED_TEST(SpatialOrder, FollowsTheCurveWithinEachRound) {
   constexpr int Dim = TypeParam::value;
   using Curve = HilbertCurve<Dim>;

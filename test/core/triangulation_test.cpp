@@ -207,7 +207,8 @@ std::int64_t volume_of(const Triangulation<Dim>& triangulation, std::size_t& not
   return sum;
 }
 
-/// Calls check(triangulation, points) for clouds that contain the corners of a box, and the box's size along each axis.
+/// Calls check(triangulation, points) for clouds that contain the corners of a box, and the box's size along
+/// each axis.
 template <int Dim, class Check>
 void for_boxes(std::uint64_t seed, Check&& check) {
   Random random(seed);
@@ -261,8 +262,8 @@ TYPED_TEST(Triangulations, FillTheirHullExactly) {
   });
 }
 
-// With infinity the complex is a sphere: the alternating sum of the numbers of its faces is 2 in the plane, 0 in space.
-// The hull is a sphere of one dimension less.
+// With infinity the complex is a sphere: the alternating sum of the numbers of its faces is 2 in the plane, 0
+// in space. The hull is a sphere of one dimension less.
 TYPED_TEST(Triangulations, SatisfyTheEulerRelation) {
   constexpr int Dim = TypeParam::value;
   for_boxes<Dim>(6, [](const Triangulation<Dim>& triangulation, const auto&, const auto&) {

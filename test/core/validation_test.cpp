@@ -264,7 +264,8 @@ TYPED_TEST(Validation, ReportsASubdivisionThatIsNotDelaunayAsD2) {
     }
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    // In the simplex of the largest circumsphere there is sure to be something wrong; any that is not tiny will do.
+    // In the simplex of the largest circumsphere there is sure to be something wrong; any that is not tiny will
+    // do.
     const Triangulation<Dim> triangulation(points);
     for (const Simplex s : triangulation.complex().simplices()) {
       if (triangulation.complex().is_ghost(s)) continue;

@@ -63,8 +63,8 @@ void for_all_subsets(std::uint32_t n, Visit&& visit) {
   }
 }
 
-/// Signs of Dim+2 lifted points, for distinct points with integer coordinates of at most 250. Everything is done in
-/// the order of ranks: the height of the point of rank r is |p|^2 + eps_r with eps_0 >> eps_1 >> ...
+/// Signs of Dim+2 lifted points, for distinct points with integer coordinates of at most 250. Everything is
+/// done in the order of ranks: the height of the point of rank r is |p|^2 + eps_r with eps_0 >> eps_1 >> ...
 template <int Dim>
 class LiftedSigns {
  public:
@@ -91,8 +91,8 @@ class LiftedSigns {
     return integer_volume<Dim>(p);
   }
 
-  /// Sign of the determinant of the rows (1, p, height) of Dim+2 points, given by increasing rank: expanded along the
-  /// column of heights, whose cofactors are volumes. 0 only if all points lie in one hyperplane.
+  /// Sign of the determinant of the rows (1, p, height) of Dim+2 points, given by increasing rank: expanded
+  /// along the column of heights, whose cofactors are volumes. 0 only if all points lie in one hyperplane.
   int side(const IdSet<Dim + 2>& ranks) const {
     std::array<std::int64_t, Dim + 2> cofactor;
     std::int64_t sum = 0;
@@ -111,8 +111,8 @@ class LiftedSigns {
     return 0;
   }
 
-  /// Whether the point of rank e, not among the simplex, lies inside its perturbed circumsphere: its lifted point lies
-  /// below the hyperplane of those of the simplex. Requires nonzero volume.
+  /// Whether the point of rank e, not among the simplex, lies inside its perturbed circumsphere: its lifted
+  /// point lies below the hyperplane of those of the simplex. Requires nonzero volume.
   bool is_inside(const IdSet<Dim + 1>& simplex, std::uint32_t e) const {
     IdSet<Dim + 2> all;
     const auto place = std::lower_bound(simplex.begin(), simplex.end(), e) - simplex.begin();
@@ -180,8 +180,8 @@ std::vector<IdSet<Dim + 1>> brute_force_delaunay_by_weights(const std::vector<Po
     for (std::uint32_t e = 0; e < points.size(); ++e) {
       if (std::find(simplex.begin(), simplex.end(), e) != simplex.end()) continue;
       rows.back() = lifted[e];
-      // A point on the hyperplane at height 0 that is raised by h turns the determinant into -h times the volume: the
-      // height stands one column before the last.
+      // A point on the hyperplane at height 0 that is raised by h turns the determinant into -h times the
+      // volume: the height stands one column before the last.
       if (sgn(determinant(rows)) * volume > 0) return;
     }
     result.push_back(simplex);

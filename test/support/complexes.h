@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangulations as sets of simplices, for comparing them with each other and with the oracle; both dimensions in
-// one typed test.
+// Triangulations as sets of simplices, for comparing them with each other and with the oracle; both dimensions
+// in one typed test.
 #pragma once
 
 #include <gtest/gtest.h>
