@@ -32,7 +32,7 @@ bool is_independent(std::span<const Point3* const> p) {
                                           "all points are collinear", "all points are coplanar"};
   static constexpr const char* kRemedy[] = {"add points", "add different points", "add points off the line",
                                             "add points off the plane"};
-  const auto row = static_cast<std::size_t>(affine_dimension + 1);
+  const int row = affine_dimension + 1;
   throw DegenerateInput(std::string(kWhat[row]) + " (" + std::to_string(distinct) +
                             " distinct): " + kRemedy[row] + ", so that they span the whole space",
                         affine_dimension);

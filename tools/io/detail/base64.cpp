@@ -13,15 +13,15 @@ namespace {
 constexpr int kNotADigit = -1;
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-constexpr std::array<signed char, 256> digit_values() {
-  std::array<signed char, 256> values{};
+constexpr std::array<int, 256> digit_values() {
+  std::array<int, 256> values{};
   values.fill(kNotADigit);
   for (std::size_t i = 0; i < kDigits.size(); ++i) {
-    values[static_cast<unsigned char>(kDigits[i])] = static_cast<signed char>(i);
+    values[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
   }
   return values;
 }
-constexpr std::array<signed char, 256> kValues = digit_values();
+constexpr std::array<int, 256> kValues = digit_values();
 
 }  // namespace
 

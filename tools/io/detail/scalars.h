@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "tools/io/detail/concat.h"
@@ -47,33 +48,40 @@ void append_little(std::string& out, T value) {
   out.append(raw, sizeof(T));
 }
 
+template <class Number, class Stored>
+Number convert(const char* bytes, std::endian order) {
+  if constexpr (std::is_integral_v<Number> && !std::is_integral_v<Stored>) {
+    return Number{};
+  } else {
+    return static_cast<Number>(load<Stored>(bytes, order));
+  }
+}
+
 /// Any scalar as Number. To an integer type: only from integer scalars; u64 wraps, and then is out of every
 /// range.
 template <class Number>
 Number load_as(const char* bytes, Scalar type, std::endian order) {
   switch (type) {
     case Scalar::i8:
-      return static_cast<Number>(load<std::int8_t>(bytes, order));
+      return convert<Number, std::int8_t>(bytes, order);
     case Scalar::u8:
-      return static_cast<Number>(load<std::uint8_t>(bytes, order));
+      return convert<Number, std::uint8_t>(bytes, order);
     case Scalar::i16:
-      return static_cast<Number>(load<std::int16_t>(bytes, order));
+      return convert<Number, std::int16_t>(bytes, order);
     case Scalar::u16:
-      return static_cast<Number>(load<std::uint16_t>(bytes, order));
+      return convert<Number, std::uint16_t>(bytes, order);
     case Scalar::i32:
-      return static_cast<Number>(load<std::int32_t>(bytes, order));
+      return convert<Number, std::int32_t>(bytes, order);
     case Scalar::u32:
-      return static_cast<Number>(load<std::uint32_t>(bytes, order));
+      return convert<Number, std::uint32_t>(bytes, order);
     case Scalar::i64:
-      return static_cast<Number>(load<std::int64_t>(bytes, order));
+      return convert<Number, std::int64_t>(bytes, order);
     case Scalar::u64:
-      return static_cast<Number>(load<std::uint64_t>(bytes, order));
+      return convert<Number, std::uint64_t>(bytes, order);
     case Scalar::f32:
-      if constexpr (!std::is_integral_v<Number>) return static_cast<Number>(load<float>(bytes, order));
-      break;
+      return convert<Number, float>(bytes, order);
     case Scalar::f64:
-      if constexpr (!std::is_integral_v<Number>) return static_cast<Number>(load<double>(bytes, order));
-      break;
+      return convert<Number, double>(bytes, order);
   }
   return Number{};
 }
