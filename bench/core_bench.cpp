@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Delaunay triangulation in the plane and in space: bulk loading by both engines over a sweep of n, insertion of
-// one point after the other, location. Counters explain the times.
+// Delaunay triangulation in the plane and in space: bulk loading by both engines over a sweep of n, insertion
+// of one point after the other, location. Counters explain the times.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
@@ -58,8 +58,8 @@ SWEEP(2, rounded_circle, flips, 100000);
 SWEEP(2, square_grid, flips, 100000);
 #undef SWEEP
 
-// The second half of n points into the triangulation of the first, in random order and without a hint: what bulk
-// loading saves.
+// The second half of n points into the triangulation of the first, in random order and without a hint: what
+// bulk loading saves.
 template <int Dim, auto make_points, Engine engine>
 void BM_InsertOneByOne(benchmark::State& state) {
   const std::vector<Point<Dim>> points = make_points(static_cast<std::size_t>(state.range(0)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Refinement of the four models to r/l <= 2, in the six combinations of the paper and with its literal parallel
-// rounds. Reading, writing, the triangulation of the surface's vertices and the search for the domain are excluded;
-// the second benchmark takes these in.
+// rounds. Reading, writing, the triangulation of the surface's vertices and the search for the domain are
+// excluded; the second benchmark takes these in.
 #include <benchmark/benchmark.h>
 
 #include <string>

@@ -42,9 +42,9 @@ struct DualEdge {
   bool is_ray = false;
 };
 
-/// The edge dual to a facet that does not hold the vertex at infinity. It starts at the simplex of h, if that is solid; a hull facet gives the same ray
-/// from either side. Coordinates of a direction are wrong by less than 2^-52 of themselves, their signs are
-/// exact.
+/// The edge dual to a facet that does not hold the vertex at infinity. It starts at the simplex of h, if that
+/// is solid; a hull facet gives the same ray from either side. Coordinates of a direction are wrong by less
+/// than 2^-52 of themselves, their signs are exact.
 ///
 /// A segment need not meet its facet; the simplex of h flows across h iff the start of the edge lies beyond it.
 template <int Dim>

@@ -12,9 +12,10 @@ namespace sinkmesh {
 
 /// One sink for every simplex.
 ///
-/// In the plane it is the only one, so maximal ancestor sets are disjoint: a triangle has at most one successor.
-/// At least two of its angles are acute. The barycentric coordinates of the circumcenter, sin(2 angle) up to a
-/// positive factor, are positive at these corners, and stay so under infinitesimal weights. So the flow crosses at most the edge opposite the third corner.
+/// In the plane it is the only one, so maximal ancestor sets are disjoint: a triangle has at most one
+/// successor. At least two of its angles are acute. The barycentric coordinates of the circumcenter, sin(2
+/// angle) up to a positive factor, are positive at these corners, and stay so under infinitesimal weights. So
+/// the flow crosses at most the edge opposite the third corner.
 ///
 /// In space they overlap. The label is then the sink of the steepest flow, which prefers at every simplex the
 /// successor with the largest circumsphere among those that do not lead to omega only; SinkWalk meets it first.

@@ -21,8 +21,8 @@ struct ChildResult {
   double peak_bytes = 0;  ///< above what the process began with
 };
 
-/// Runs compute() in a copy of this process, which ends without destructors. It returns a function that returns the
-/// value; this one is not measured.
+/// Runs compute() in a copy of this process, which ends without destructors. It returns a function that returns
+/// the value; this one is not measured.
 /// @return not succeeded if it crashed, threw, or used up its time.
 template <class Compute>
 ChildResult measure_in_child(Compute&& compute, unsigned seconds_allowed) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Predicates beside the plain rounded expression, which is the floor, and CGAL's filtered predicates, in turn and
-// in one process: median nanoseconds of user time per call. Exit 1 if a sign differs from CGAL's.
+// Predicates beside the plain rounded expression, which is the floor, and CGAL's filtered predicates, in turn
+// and in one process: median nanoseconds of user time per call. Exit 1 if a sign differs from CGAL's.
 //
 //   sinkmesh_rival_predicates [repetitions]
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

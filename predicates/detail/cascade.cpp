@@ -21,8 +21,8 @@ template <class P>
 
 }  // namespace
 
-// The local error is cheaper than the permanent, so that the certificates of zero come before that: ties of integer
-// data and of lattices never compute it.
+// The local error is cheaper than the permanent, so that the certificates of zero come before that: ties of
+// integer data and of lattices never compute it.
 template <class P>
 Verdict decide_after_static(const Points<P>& points, double value, double unit) {
   const Vectors<P, double> v = rounded_vectors<P>(points);

@@ -94,8 +94,8 @@ TEST_P(ModelOfThePaper, HasItsRatios) {
 }
 
 // [EG01, figures 7-11]; but the paper's USA, of which only the number of triangles is known besides the ratios,
-// 0.61, 2.36 and 17.23, is another outline: here are those of ours. The smallest ratio of the paper's paraboloid
-// is larger than ours, 0.65.
+// 0.61, 2.36 and 17.23, is another outline: here are those of ours. The smallest ratio of the paper's
+// paraboloid is larger than ours, 0.65.
 INSTANTIATE_TEST_SUITE_P(
     All, ModelOfThePaper,
     testing::Values(PaperRow{"usa", 229, {}, {0.584, 1.947, 11.98}, 0.001, 0.001},

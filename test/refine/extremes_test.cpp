@@ -22,10 +22,10 @@ TYPED_TEST_SUITE(ExtremesTest, PlaneAndSpace, DimensionName);
 
 // [EG01, 3.2] The local maxima of pi are the sinks. Let z be the center of a simplex, and C its cell: the
 // simplices around it with the same center. The vertices at distance r from z are the corners of C, and pi near
-// z is |z-p|^2 for the nearest of them. If z is in the interior of conv C, every step away from z gets nearer to
-// a corner; if not, a step along the outer normal of a facet of C that z does not lie strictly inside of gets
-// nearer to none. In general position C is one simplex: a sink, or not. In a degenerate set the flow from a
-// simplex of C can leave C only across a facet that z is not strictly inside of, so if z is in the interior,
+// z is |z-p|^2 for the nearest of them. If z is in the interior of conv C, every step away from z gets nearer
+// to a corner; if not, a step along the outer normal of a facet of C that z does not lie strictly inside of
+// gets nearer to none. In general position C is one simplex: a sink, or not. In a degenerate set the flow from
+// a simplex of C can leave C only across a facet that z is not strictly inside of, so if z is in the interior,
 // one simplex of C is a sink.
 TYPED_TEST(ExtremesTest, LocalMaximaOfPiAreTheSinks) {
   constexpr int kDim = TypeParam::value;

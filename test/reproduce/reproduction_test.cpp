@@ -127,7 +127,8 @@ std::vector<Study> made_up_studies(std::size_t circumcenter_simplices, double ci
   return {study};
 }
 
-// In the order of weigh_claims(): quality, shared sinks, parallel, every schedule, schedules, conditioning, pruned.
+// In the order of weigh_claims(): quality, shared sinks, parallel, every schedule, schedules, conditioning,
+// pruned.
 std::vector<std::string> verdicts(const std::vector<Study>& studies) {
   std::vector<std::string> result;
   for (const Claim& claim : weigh_claims(studies)) result.push_back(claim.verdict);

@@ -63,8 +63,8 @@ struct RationalSphere {
   Rational power(const RationalPoint<Dim>& y) const { return squared_distance(y, center) - radius2; }
 };
 
-/// The sphere orthogonal to the corners with weights -lift[i]: |z-p_i|^2 + lift[i] is the same for all i. Without
-/// lifts, the circumsphere.
+/// The sphere orthogonal to the corners with weights -lift[i]: |z-p_i|^2 + lift[i] is the same for all i.
+/// Without lifts, the circumsphere.
 template <int Dim>
 RationalSphere<Dim> orthosphere(const std::array<RationalPoint<Dim>, Dim + 1>& p,
                                 const std::array<Rational, Dim + 1>& lift = {}) {

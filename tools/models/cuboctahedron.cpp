@@ -81,7 +81,8 @@ class Solid final : public ImplicitSolid {
     return {p[0] - step * gradient[0], p[1] - step * gradient[1], p[2] - step * gradient[2]};
   }
 
-  // In the directions of the vertices, faces and edges of a cube, a little turned so that no five are cospherical.
+  // In the directions of the vertices, faces and edges of a cube, a little turned so that no five are
+  // cospherical.
   std::vector<Point3> seeds(std::size_t) const override {
     std::vector<Point3> seeds;
     for (int i = 0; i < 27; ++i) {

@@ -105,8 +105,8 @@ class Curve {
   std::vector<Point2> points_;
 };
 
-// Edges, as the numbers of their first vertices, that are no edges of the Delaunay triangulation of the polygon's
-// vertices, or have the apex of their inner triangle in or on their diametral circle.
+// Edges, as the numbers of their first vertices, that are no edges of the Delaunay triangulation of the
+// polygon's vertices, or have the apex of their inner triangle in or on their diametral circle.
 std::vector<std::size_t> bad_edges(const std::vector<Point2>& polygon) {
   const Triangulation2 triangulation(polygon);
   const Complex<2>& complex = triangulation.complex();

@@ -15,9 +15,9 @@ namespace sinkmesh::models {
 /// so that no flow leads out; exactly, by predicates.
 ///
 /// The curve's most important points come first (Visvalingam, Whyatt 1993); then every edge that is not as it
-/// should be is divided at the corner of the curve nearest to its middle, or on the curve's straight piece if no
-/// corner is left. The number of important points is the largest for which this does not give too many vertices;
-/// the rest are single points, by importance, that can be added without harm.
+/// should be is divided at the corner of the curve nearest to its middle, or on the curve's straight piece if
+/// no corner is left. The number of important points is the largest for which this does not give too many
+/// vertices; the rest are single points, by importance, that can be added without harm.
 ///
 /// @param curve     a simple polygon, counterclockwise, with more than 3 points.
 /// @param vertices  at least 10; there may be fewer in the result if no single point is harmless.

@@ -20,7 +20,8 @@ constexpr std::int32_t kOutlineSteps[][2] = {
 constexpr std::array<double, 2> kGridStep = {0.003589293992939929, 0.0008590596905969058};
 constexpr std::array<double, 2> kGridOrigin = {-179.14733999999999, -14.552548999999999};
 
-// Albers' equal-area conic projection of the sphere, the usual one for this country: standard parallels 29.5 and
+// Albers' equal-area conic projection of the sphere, the usual one for this country: standard parallels 29.5
+// and
 // 45.5, origin 37.5 north and 96 west. Units of 1000 km.
 Point2 project(double longitude, double latitude) {
   constexpr double kEarthRadius = 6.371007;

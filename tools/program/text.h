@@ -9,7 +9,12 @@
 
 namespace sinkmesh::program {
 
-using namespace text;
+using text::count;
+using text::duration;
+using text::grouped;
+using text::measure;
+using text::megabytes;
+using text::simplices;
 
 /// Writes to standard output, or standard error.
 /// @throws FileError if standard output takes no more.

@@ -12,8 +12,8 @@ namespace sinkmesh::reproduce {
 /// Linear light: red, green, blue in [0, 1], with the primaries of sRGB.
 using Light = std::array<double, 3>;
 
-/// A colour by what is seen: lightness in [0, 1], chroma (0 is grey), hue in degrees. Coordinates are polar ones of
-/// the Oklab space (B. Ottosson, 2020), in which equal distances look about equal.
+/// A colour by what is seen: lightness in [0, 1], chroma (0 is grey), hue in degrees. Coordinates are polar
+/// ones of the Oklab space (B. Ottosson, 2020), in which equal distances look about equal.
 struct Perceived {
   double lightness;
   double chroma;

@@ -19,8 +19,8 @@ struct Cut {
   bool keeps(const Point3& p) const;
 };
 
-/// One value per tetrahedron, in the order of the mesh: whether its centroid is kept. Whole tetrahedra stay, hence the
-/// cut is jagged and shows their shapes.
+/// One value per tetrahedron, in the order of the mesh: whether its centroid is kept. Whole tetrahedra stay,
+/// hence the cut is jagged and shows their shapes.
 std::vector<bool> kept_simplices(const Mesh3& mesh, const Cut& cut);
 
 /// A face of exactly one tetrahedron that is kept.

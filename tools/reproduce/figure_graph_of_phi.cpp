@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A landscape seen from the south, its height -phi: phi decreases from bottom to top, as in the paper. It is
-// built of terraces. The points of height t or more are a union of discs (figure_level_sets.cpp), in the oblique
-// projection a union of ellipses; the projection of a layer hides exactly those parts of lower ones that lie
-// behind it, so drawing from bottom to top is drawing from back to front.
+// built of terraces. The points of height t or more are a union of discs (figure_level_sets.cpp), in the
+// oblique projection a union of ellipses; the projection of a layer hides exactly those parts of lower ones
+// that lie behind it, so drawing from bottom to top is drawing from back to front.
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -18,8 +18,8 @@ struct ModelViews {
   double height;  // of a picture, as a part of its width
 };
 
-// The cuboctahedron is about the origin; the paraboloid stands on its tip, with its lid at z = 1; star and head have
-// the z axis as their axis, from 0 to 4, and are shown lying.
+// The cuboctahedron is about the origin; the paraboloid stands on its tip, with its lid at z = 1; star and head
+// have the z axis as their axis, from 0 to 4, and are shown lying.
 const std::array<ModelViews, 4> kModels = {{
     {.model = "cuboctahedron",
      .surface = {{1, -2.2, 1.1}, {0, 0, 1}},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Unsharp masking of the depth buffer (Luft, Colditz, Deussen 2006). The bell is approximated by a box filter, three
-// times in each direction, and normalised by the coverage filtered in the same way.
+// Unsharp masking of the depth buffer (Luft, Colditz, Deussen 2006). The bell is approximated by a box filter,
+// three times in each direction, and normalised by the coverage filtered in the same way.
 #include "tools/reproduce/occlusion.h"
 
 #include <algorithm>

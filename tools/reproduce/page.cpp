@@ -20,7 +20,8 @@ constexpr const char* kStyle = R"css(
   :root { --ink: #e6eaee; --paper: #14181d; --accent: #ff8f52; --muted: #9aa6b2; --line: #313a44;
     --fill-1: #25313e; --fill-2: #3e5873; --fill-3: #7fa9d4; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 1320px; padding: 2rem 1.5rem 5rem; background: var(--paper); color: var(--ink);
+body { margin: 0 auto; max-width: 1320px; padding: 2rem 1.5rem 5rem; background: var(--paper);
+  color: var(--ink);
   font: 17px/1.55 system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; }
 h1 { font-size: 2.1rem; line-height: 1.2; margin: 0 0 .5rem; }
 h2 { font-size: 1.5rem; margin: 3.5rem 0 .5rem; border-top: 1px solid var(--line); padding-top: 1.5rem; }
@@ -30,7 +31,8 @@ nav { display: flex; flex-wrap: wrap; gap: .3rem 1.2rem; margin: 1.5rem 0; }
 figure { margin: 1.5rem 0; }
 figure svg, figure img { display: block; width: 100%; height: auto; }
 figcaption { color: var(--muted); font-size: .93rem; max-width: 90ch; margin-top: .4rem; }
-.row { display: grid; grid-template-columns: repeat(auto-fit, minmax(380px, 1fr)); gap: 1.5rem; align-items: start; }
+.row { display: grid; grid-template-columns: repeat(auto-fit, minmax(380px, 1fr)); gap: 1.5rem;
+  align-items: start; }
 .charts { grid-template-columns: repeat(auto-fit, minmax(390px, 1fr)); }
 .wide > * { min-width: 0; }
 .scroll { overflow-x: auto; margin: 1.5rem 0; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The box with the largest sum of squared deviations along one axis is split at the mean on that axis, until there are
-// enough boxes. Axes are lightness and two differences of colour, not red, green and blue: along these, grey and
-// coloured faces of the same lightness would stay together, and lend each other a tint.
+// The box with the largest sum of squared deviations along one axis is split at the mean on that axis, until
+// there are enough boxes. Axes are lightness and two differences of colour, not red, green and blue: along
+// these, grey and coloured faces of the same lightness would stay together, and lend each other a tint.
 #include "tools/reproduce/palette.h"
 
 #include <algorithm>
@@ -43,7 +43,8 @@ Box measured(const std::vector<Entry>& entries, std::size_t begin, std::size_t e
   for (std::size_t axis = 0; axis < 4; ++axis) {
     double weight = 0, sum = 0, squares = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      // The root, since otherwise a large, nearly uniform area takes colours from small ones that differ visibly.
+      // The root, since otherwise a large, nearly uniform area takes colours from small ones that differ
+      // visibly.
       const double w = std::sqrt(static_cast<double>(entries[i].count));
       weight += w;
       sum += w * entries[i].place[axis];

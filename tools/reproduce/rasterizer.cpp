@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Row by row: the three edges cut out of each row of samples the interval that is inside, and only this is visited.
-// Thin triangles, of which poor meshes are made, cost no more than their area.
+// Row by row: the three edges cut out of each row of samples the interval that is inside, and only this is
+// visited. Thin triangles, of which poor meshes are made, cost no more than their area.
 #include "tools/reproduce/rasterizer.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 using Affine = TriangleFunctions::Affine;
 
-// Zero on the line through p and q, positive on its right side as seen (y points down). Exactly the opposite for
-// (q, p).
+// Zero on the line through p and q, positive on its right side as seen (y points down). Exactly the opposite
+// for (q, p).
 Affine line(const ScreenPoint& p, const ScreenPoint& q) {
   const double dx = q.x - p.x;
   const double dy = q.y - p.y;
@@ -73,7 +73,8 @@ void VisibilityBuffer::draw(const ScreenTriangle& triangle, std::uint32_t id) {
   const TriangleFunctions functions(triangle);
   const auto [top, bottom] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
   const auto [left, right] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
-  // Where a triangle is seen nearly from the side, rounding may put its plane anywhere; no further than its corners.
+  // Where a triangle is seen nearly from the side, rounding may put its plane anywhere; no further than its
+  // corners.
   const auto [farthest, nearest] =
       std::minmax({triangle[0].nearness, triangle[1].nearness, triangle[2].nearness});
 

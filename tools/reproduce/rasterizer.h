@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which triangle is seen where: a z-buffer that keeps triangles instead of colours. Colours, edges and shadows are
-// worked out afterwards, once per sample that is seen.
+// Which triangle is seen where: a z-buffer that keeps triangles instead of colours. Colours, edges and shadows
+// are worked out afterwards, once per sample that is seen.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ double signed_area(const ScreenTriangle& triangle);
 struct TriangleFunctions {
   using Affine = std::array<double, 3>;
 
-  /// Distances in pixels from the three edges, positive inside. Two triangles that share an edge have exactly opposite
-  /// functions for it, so that no sample between them is missed.
+  /// Distances in pixels from the three edges, positive inside. Two triangles that share an edge have exactly
+  /// opposite functions for it, so that no sample between them is missed.
   std::array<Affine, 3> inside;
   Affine nearness;
 
@@ -44,8 +44,8 @@ class VisibilityBuffer {
 
   VisibilityBuffer(int width, int height, int density);
 
-  /// Enters a triangle where it is nearer than what is there; where it is as near, the first one stays. Both sides
-  /// are seen. Triangles without area in the picture are passed over.
+  /// Enters a triangle where it is nearer than what is there; where it is as near, the first one stays. Both
+  /// sides are seen. Triangles without area in the picture are passed over.
   void draw(const ScreenTriangle& triangle, std::uint32_t id);
 
   int columns() const { return columns_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Three passes: which face is seen at each sample; how deep each pixel lies; then light, edges and the mean over the
-// samples of a pixel, which smooths all borders at once.
+// Three passes: which face is seen at each sample; how deep each pixel lies; then light, edges and the mean
+// over the samples of a pixel, which smooths all borders at once.
 #include "tools/reproduce/render.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace {
 constexpr int kDensity = 4;            // samples per pixel and direction
 constexpr double kEdgeWidth = 0.5;     // of the half of an edge that lies in one triangle, in pixels
 constexpr double kEdgeDarkness = 0.6;  // light that an edge takes away at most
-// Size of a triangle, as the side of a square of its area, in pixels: no edges below the first, full ones above the
-// second. Smaller triangles would be all edges.
+// Size of a triangle, as the side of a square of its area, in pixels: no edges below the first, full ones above
+// the second. Smaller triangles would be all edges.
 constexpr double kNoEdges = 2.5;
 constexpr double kFullEdges = 9;
 // Hollows: the radius is a part of the picture's width, the depth one of the bounding sphere's radius.
@@ -36,8 +36,8 @@ double smooth_step(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// Light on a face, by its normal as seen by the eye: a lamp above the left shoulder, a weak one from the right, and
-// the sky.
+// Light on a face, by its normal as seen by the eye: a lamp above the left shoulder, a weak one from the right,
+// and the sky.
 double brightness(const Point3& normal) {
   constexpr Point3 kLamp{-0.456, 0.570, 0.684};
   constexpr Point3 kFill{0.844, 0.000, 0.537};

@@ -21,8 +21,8 @@ struct Face {
   double relief = 1;
 };
 
-/// Edges show where triangles are large enough in the picture. The background is transparent; at most 256 colours.
-/// Deterministic. Cost: linear in the number of faces, and in the area of the picture.
+/// Edges show where triangles are large enough in the picture. The background is transparent; at most 256
+/// colours. Deterministic. Cost: linear in the number of faces, and in the area of the picture.
 Image render(std::span<const Point3> points, std::span<const Face> faces, const Projection& projection,
              int width, int height);
 

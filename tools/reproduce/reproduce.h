@@ -26,8 +26,8 @@ struct File {
 
 /// @param machine  what it runs on, for the page.
 /// @param tell     called with what is being done; never from two threads at once.
-/// @return index.html, which holds everything; results.json, runs.csv and rounds.csv with its numbers; and every
-///         picture as a file of its own.
+/// @return index.html, which holds everything; results.json, runs.csv and rounds.csv with its numbers; and
+///         every picture as a file of its own.
 /// Cost: about a minute and a half of CPU time for the paper's sizes, on as many threads as there are cores.
 std::vector<File> reproduce(const Models& models, const std::string& machine,
                             const std::function<void(std::string_view)>& tell);

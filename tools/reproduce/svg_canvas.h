@@ -44,8 +44,8 @@ enum class Anchor { start, middle, end };
 /// style rules and ids of inline SVG are global to the page.
 ///
 /// Colours are the custom properties --ink, --paper, --accent, --muted, --fill-1, --fill-2, --fill-3 of the
-/// page; where the page has none, its own, for light and for dark mode. Classes with a meaning for every figure:
-///   fills   fill-1 fill-2 fill-3 tint (of low quality)
+/// page; where the page has none, its own, for light and for dark mode. Classes with a meaning for every
+///   figure: fills   fill-1 fill-2 fill-3 tint (of low quality)
 ///   lines   thin bold faint dashed flow
 ///   marks   dot (ink) mark (accent)
 ///   text    text small it (italic)

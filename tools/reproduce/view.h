@@ -17,8 +17,8 @@ struct View {
   double field_of_view = 25;        ///< of the object's bounding sphere, in degrees; 0: orthographic
 };
 
-/// In pixels from the upper left corner. `nearness` grows towards the eye, and over the picture of a plane it is an
-/// affine function of x and y, which is what a z-buffer needs.
+/// In pixels from the upper left corner. `nearness` grows towards the eye, and over the picture of a plane it
+/// is an affine function of x and y, which is what a z-buffer needs.
 struct ScreenPoint {
   double x;
   double y;
