@@ -80,6 +80,11 @@ enum class Stop : std::uint8_t {
   cancelled,
 };
 
+/// As options of the program and reports name them.
+const char* name(Insert insert);
+const char* name(Schedule schedule);
+const char* name(Stop stop);
+
 /// Points that were considered and not inserted, by the first reason found. A point that is refused more than
 /// once (its simplex died, another has the same center) counts each time.
 struct Rejections {

@@ -74,7 +74,7 @@ TEST(Reproduction, HasEveryFigureTableChartAndRun) {
 TEST(Study, TellsWhatRefinementDid) {
   const Surface3 surface = models::make_cuboctahedron(750);
   const Plan plan{Insert::sink, Schedule::parallel, false};
-  const Run run = refine_as<3>(surface, 2, plan);
+  const reproduce::Run run = refine_as<3>(surface, 2, plan);
   SurfaceMesher3 mesher(surface);
   mesher.find_domain();
   RefineOptions options;

@@ -32,34 +32,6 @@ Json histogram(const QualityStatistics& quality) {
   return bins;
 }
 
-const char* name(Insert insert) { return insert == Insert::sink ? "sink" : "circumcenter"; }
-
-const char* name(Schedule schedule) {
-  switch (schedule) {
-    case Schedule::incremental:
-      return "incremental";
-    case Schedule::block:
-      return "block";
-    case Schedule::parallel:
-      return "parallel";
-  }
-  return "";
-}
-
-const char* name(Fallback fallback) { return fallback == Fallback::none ? "none" : "circumcenter"; }
-
-const char* name(Stop stop) {
-  switch (stop) {
-    case Stop::no_candidate:
-      return "no_candidate";
-    case Stop::budget:
-      return "budget";
-    case Stop::cancelled:
-      return "cancelled";
-  }
-  return "";
-}
-
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 std::uint64_t peak_memory_bytes() {

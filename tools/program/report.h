@@ -24,11 +24,6 @@ Json to_json(int dim, std::size_t vertices, const QualityStatistics& quality);
 /// [{ up_to, simplices }]: the bins of r/l, the last one open (null).
 Json histogram(const QualityStatistics& quality);
 
-const char* name(Insert insert);
-const char* name(Schedule schedule);
-const char* name(Fallback fallback);
-const char* name(Stop stop);
-
 /// Of the final complex, 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 /// The largest amount of memory that the process has had.

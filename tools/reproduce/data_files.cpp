@@ -32,8 +32,8 @@ Json to_json(const PaperModel& paper) {
   Json rows = Json::array();
   for (const PaperRow& row : paper.rows) {
     Json entry = paper_json(row);
-    entry["insert"] = insert_text(row.insert);
-    entry["schedule"] = schedule_text({row.insert, row.schedule});
+    entry["insert"] = name(row.insert);
+    entry["schedule"] = name(row.schedule);
     entry["minutes"] = row.minutes ? Json(*row.minutes) : Json();
     rows.push_back(entry);
   }
@@ -41,8 +41,8 @@ Json to_json(const PaperModel& paper) {
 }
 
 Json to_json(const Run& run) {
-  return {{"insert", insert_text(run.plan.insert)},
-          {"schedule", schedule_text({run.plan.insert, run.plan.schedule})},
+  return {{"insert", name(run.plan.insert)},
+          {"schedule", name(run.plan.schedule)},
           {"literal", run.plan.literal},
           {"final", to_json(run.mesh)},
           {"rounds", run.result.rounds},
@@ -59,8 +59,7 @@ Json to_json(const Run& run) {
 }
 
 std::string plan_csv(const Study& study, const Plan& plan) {
-  return fmt::format("{},{},{},{}", study.model, insert_text(plan.insert),
-                     schedule_text({plan.insert, plan.schedule}), plan.literal ? 1 : 0);
+  return fmt::format("{},{},{},{}", study.model, name(plan.insert), name(plan.schedule), plan.literal ? 1 : 0);
 }
 
 std::string mesh_csv(const MeshNumbers& mesh) {

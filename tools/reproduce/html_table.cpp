@@ -141,7 +141,7 @@ std::string mesh_table(const Study& study) {
     for (const Insert insert : {Insert::sink, Insert::circumcenter}) {
       const Run& run = with(study, plan, insert);
       const PaperRow* const theirs = paper_row(paper, run.plan);
-      body += mesh_row(fmt::format("{}, {}", insert_text(insert), schedule_text(plan)),
+      body += mesh_row(fmt::format("{}, {}", name(insert), schedule_text(plan)),
                        theirs != nullptr ? PaperMesh(*theirs) : PaperMesh(), run.mesh);
     }
   }
@@ -167,7 +167,7 @@ std::string cost_table(const Study& study) {
     const Run& circumcenter = with(study, plan, Insert::circumcenter);
     for (const Run* const run : {&sink, &circumcenter}) {
       const PaperRow* const theirs = plan.literal ? paper_row(paper, run->plan) : nullptr;
-      body += row({fmt::format("{}, {}", insert_text(run->plan.insert), schedule_text(plan)),
+      body += row({fmt::format("{}, {}", name(run->plan.insert), schedule_text(plan)),
                    grouped(run->result.inserted), grouped(run->result.rounds), grouped(run->result.candidates),
                    grouped(run->result.prestars), seconds_text(run->cpu_seconds),
                    theirs != nullptr && theirs->minutes ? std::to_string(*theirs->minutes) : kNone});

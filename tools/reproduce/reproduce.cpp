@@ -94,7 +94,7 @@ void add_study(TaskQueue& queue, const std::string& model, const Surface<Dim>& s
     const int weight = (plan.literal ? 4 : 0) + (plan.schedule == Schedule::parallel ? 2 : 0) +
                        (plan.insert == Insert::circumcenter ? 1 : 0) + (Dim == 3 ? 8 : 0);
     queue.add(
-        weight, fmt::format("{}, {}, {}", model, insert_text(plan.insert), schedule_text(plan)),
+        weight, fmt::format("{}, {}, {}", model, name(plan.insert), schedule_text(plan)),
         [&surface, max_ratio, plan, run = &study.runs[k]] { *run = refine_as<Dim>(surface, max_ratio, plan); });
   }
 }

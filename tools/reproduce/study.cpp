@@ -94,13 +94,8 @@ Conditioning conditioning(const SurfaceMesher<Dim>& mesher, double max_ratio) {
 
 }  // namespace
 
-const char* insert_text(Insert insert) { return insert == Insert::sink ? "sink" : "circumcenter"; }
-
 std::string schedule_text(const Plan& plan) {
-  const char* const name = plan.schedule == Schedule::incremental ? "incremental"
-                           : plan.schedule == Schedule::block     ? "block"
-                                                                  : "parallel";
-  return std::string(name) + (plan.literal ? ", literal" : "");
+  return std::string(name(plan.schedule)) + (plan.literal ? ", literal" : "");
 }
 
 const Run& Study::run(const Plan& plan) const {

@@ -21,8 +21,6 @@ struct Plan {
 
 /// "parallel, literal"
 std::string schedule_text(const Plan& plan);
-/// "sink" or "circumcenter"
-const char* insert_text(Insert insert);
 
 /// A mesh in numbers.
 struct MeshNumbers {
