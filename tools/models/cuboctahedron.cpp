@@ -85,9 +85,10 @@ class Solid final : public ImplicitSolid {
   // cospherical.
   std::vector<Point3> seeds(std::size_t) const override {
     std::vector<Point3> seeds;
-    for (int i = 0; i < 27; ++i) {
-      const Point3 direction{i % 3 - 1 + 0.1, i / 3 % 3 - 1 + 0.07, i / 9 - 1 - 0.04};
-      if (i <= 13) continue;
+    for (int i = 14; i < 27; ++i) {  // one of each pair of opposite directions
+      const int y = i / 3 % 3;
+      const int z = i / 9;
+      const Point3 direction{i % 3 - 1 + 0.1, y - 1 + 0.07, z - 1 - 0.04};
       const Point3 p = first_crossing(direction);
       seeds.push_back(p);
       seeds.push_back({-p[0], -p[1], -p[2]});
