@@ -16,7 +16,8 @@ Point<Dim> DistanceFunctions<Dim>::gated(const Point<Dim>& p) {
   const InputGate<Dim>& gate = triangulation_->gate();
   if (!gate.admits(p)) {
     throw InputError(
-        "the point lies more than twice as far from the origin as any input point, or is not finite");
+        "the point is not finite, or one of its coordinates is not below the first power of two above all "
+        "coordinates of the input");
   }
   const Point<Dim> x = gate.in(p);
   triangulation_->announce(x);

@@ -29,7 +29,8 @@ class DistanceFunctions {
     Vertex nearest;  ///< of several at the same rounded distance that with the smallest coordinates
   };
   /// Relative error below 2^-50. Cost: location, and the prestar of x.
-  /// @throws InputError if x is not finite, or twice as far from the origin as any input point.
+  /// @throws InputError if x is not finite, or one of its coordinates not below the first power of two above
+  ///         all coordinates of the input.
   Pi pi(const Point<Dim>& x);
 
   struct Phi {

@@ -1,7 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "refine/options.h"
 
+#include <string>
+
+#include "predicates/error.h"
+
 namespace sinkmesh {
+
+void require_valid(const RefineOptions& options) {
+  if (!(options.max_ratio >= 1)) {
+    throw InputError("max_ratio is " + std::to_string(options.max_ratio) +
+                     ": it must be at least 1, or refinement need not end");
+  }
+  if (options.literal && options.schedule == Schedule::incremental) {
+    throw InputError("literal rounds exist in the block and parallel schedules only");
+  }
+}
 
 const char* name(Insert insert) { return insert == Insert::sink ? "sink" : "circumcenter"; }
 

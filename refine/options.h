@@ -62,7 +62,7 @@ struct RefineOptions {
   /// The mesh is the same; the counts show what the pruned rounds save.
   bool literal = false;
   Fallback fallback = Fallback::none;
-  /// For the rounds of the parallel schedule; the mesh does not depend on it.
+  /// Not used so far: every refinement runs on the thread of the caller. The mesh will not depend on it.
   unsigned threads = 1;
   /// Budgets; when one is spent the run ends with a valid mesh.
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
@@ -72,6 +72,10 @@ struct RefineOptions {
   /// Called after each round. May be empty.
   std::function<void(const Progress&)> observer = {};
 };
+
+/// @throws InputError if max_ratio is below 1 or not a number, or if `literal` is asked of the incremental
+///         schedule.
+void require_valid(const RefineOptions& options);
 
 /// Why a refinement ended.
 enum class Stop : std::uint8_t {

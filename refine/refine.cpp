@@ -53,8 +53,8 @@ std::array<std::uint32_t, Dim> facet_ids(const Complex<Dim>& complex, HalfFacet 
   return ids;
 }
 
-std::string count_of(std::size_t n, const char* thing) {
-  return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
+std::string count_of(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
 }  // namespace
@@ -76,7 +76,10 @@ struct SurfaceMesher<Dim>::State {
 };
 
 template <int Dim>
-SurfaceMesher<Dim>::SurfaceMesher(const Surface<Dim>& surface) : state_(std::make_unique<State>(surface)) {}
+SurfaceMesher<Dim>::SurfaceMesher(const Surface<Dim>& surface) {
+  if (surface.facets.empty()) throw InputError("the surface has no facet: it bounds nothing");
+  state_ = std::make_unique<State>(surface);
+}
 template <int Dim>
 SurfaceMesher<Dim>::SurfaceMesher(SurfaceMesher&&) noexcept = default;
 template <int Dim>
@@ -89,15 +92,17 @@ typename Domain<Dim>::Peeled SurfaceMesher<Dim>::find_domain() {
   const std::vector<std::size_t> missing = state_->domain.label_by_parity(state_->used.facets);
   if (!missing.empty()) {
     throw InputError(
-        std::to_string(missing.size()) + " of " + count_of(state_->used.facets.size(), "facet") +
+        std::to_string(missing.size()) + " of " + count_of(state_->used.facets.size(), "facet", "facets") +
         " of the surface are not in the Delaunay triangulation of its vertices (the first is facet " +
         std::to_string(missing.front()) +
-        "): divide them into smaller ones, and repair self-intersections, which show like this, too");
+        "): divide them into smaller ones; where four vertices are on a circle, as on grids, take the other "
+        "diagonal; and repair self-intersections, which show like this, too");
   }
   const typename Domain<Dim>::Peeled peeled = state_->domain.peel(state_->flow);
   if (state_->domain.simplices().empty()) {
     throw InputError("nothing stable is inside the surface: the flow leads out of it from everywhere (" +
-                     std::to_string(peeled.simplices) + " of " + count_of(peeled.simplices, "simplex") +
+                     std::to_string(peeled.simplices) + " of " +
+                     count_of(peeled.simplices, "simplex", "simplices") +
                      "); divide its facets into smaller ones");
   }
   return peeled;
@@ -192,6 +197,7 @@ Mesh<Dim> hull_mesh(const Triangulation<Dim>& triangulation) {
 
 template <int Dim>
 Mesh<Dim> refine(const Surface<Dim>& surface, const RefineOptions& options) {
+  require_valid(options);
   for (const SurfaceDefect& defect : check_surface(surface)) {
     if (severity(defect.kind) == SurfaceSeverity::error) {
       throw InputError(defect.message + ": " + std::string(advice(defect.kind)));

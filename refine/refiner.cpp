@@ -12,13 +12,7 @@ template <int Dim>
 Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
                       const RefineOptions& options)
     : options_(options), flow_(&flow), inserter_(triangulation, domain, flow, options.max_ratio) {
-  if (!(options.max_ratio >= 1)) {
-    throw InputError("max_ratio is " + std::to_string(options.max_ratio) +
-                     ": it must be at least 1, or refinement need not end");
-  }
-  if (options.literal && options.schedule == Schedule::incremental) {
-    throw InputError("literal rounds exist in the block and parallel schedules only");
-  }
+  require_valid(options);
 }
 
 template <int Dim>

@@ -22,7 +22,7 @@ void Refiner<Dim>::run_incremental() {
   begin_round();
   for (bool retry = true; retry && !stopped_;) {
     WorstFirstQueue::Entry entry;
-    while (may_continue() && queue.pop(entry, is_current)) {
+    while (queue.pop(entry, is_current) && may_continue()) {
       if (!insert_for(entry.simplex)) {
         stuck.push_back(entry);
       } else if (is_current(entry)) {

@@ -22,9 +22,10 @@ template <int Dim>
 void Refiner<Dim>::run_rounds() {
   inserter_.measure_all();
   bool own_centers = options_.insert == Insert::circumcenter;
-  while (may_continue()) {
+  while (!stopped_) {
     const std::vector<Candidate<Dim>> candidates = collect(own_centers);
     if (!candidates.empty()) {
+      if (!may_continue()) return;
       begin_round();
       if (options_.literal) {
         insert_literally(candidates);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "core/mix.h"
@@ -39,8 +40,10 @@ SteinerInserter<Dim>::SteinerInserter(Triangulation<Dim>& triangulation, Domain<
   }
   separation2_ = shortest2 * kDown;
   if (separation2_ < kResolution2) {
+    char distance[32];
+    std::snprintf(distance, sizeof distance, "%.2g", std::sqrt(shortest2) / 2);
     throw InputError(
-        "two vertices are " + std::to_string(std::sqrt(shortest2) / 2) +
+        std::string("two vertices are ") + distance +
         " times the largest coordinate apart: the input is at the resolution of doubles; move it to the "
         "origin, or merge vertices");
   }

@@ -88,6 +88,16 @@ class Stop(ProgramTest):
         result = self.run_program(*self.arguments, "--time-limit", "0.5")
         self.assertEqual((result.returncode, result.stderr), (3, b""))
 
+    def test_a_budget_that_was_not_needed_did_not_stop_anything(self):
+        surface = self.write("small.off", off(ellipsoid(3)))
+        for schedule in ("incremental", "block", "parallel"):
+            self.succeed("refine", surface, "-o", self.path("a.vtu"), "--schedule", schedule, "--report",
+                         self.path("report.json"))
+            vertices = self.report()["final"]["vertices"]
+            self.succeed("refine", surface, "-o", self.path("b.vtu"), "--schedule", schedule, "--max-vertices", vertices)
+            self.succeed("refine", surface, "-o", self.path("b.vtu"), "--schedule", schedule, "--max-vertices",
+                         vertices - 1, status=3)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -7,7 +7,7 @@ from program import TETRAHEDRON, ProgramTest, ellipsoid, off
 
 class Usage(ProgramTest):
     def test_help_of_every_command_has_an_example(self):
-        for command in ([], ["refine"], ["delaunay"], ["inspect"], ["generate"]):
+        for command in ([], ["refine"], ["delaunay"], ["inspect"], ["generate"], ["reproduce"]):
             text = self.succeed(*command, "--help")
             self.assertIn("Example:\n  sinkmesh", text)
 
@@ -71,6 +71,18 @@ class Usage(ProgramTest):
     def test_standard_output_needs_a_format(self):
         surface = self.write("in.off", off(ellipsoid(2)))
         self.assertIn("--format", self.fail_with_one_line(2, "refine", surface, "-o", "-"))
+
+    def test_a_report_does_not_replace_another_file(self):
+        surface = self.write("in.off", off(ellipsoid(2)))
+        out = self.path("out.vtu")
+        for arguments in (["refine", surface, "-o", out, "--report", out],
+                          ["refine", surface, "-o", out, "--history", self.path("./out.vtu")],
+                          ["refine", surface, "-o", out, "--history", self.path("a"), "--report", self.path("a")],
+                          ["refine", surface, "-o", self.path("b.node"), "--report", self.path("b.ele")],
+                          ["delaunay", surface, "-o", out, "--report", surface],
+                          ["inspect", surface, "--report", surface]):
+            self.assertIn("same file", self.fail_with_one_line(2, *arguments))
+        self.assertEqual(self.files(), ["in.off"])
 
 
 if __name__ == "__main__":

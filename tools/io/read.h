@@ -32,7 +32,8 @@ struct ReadOptions {
   SourceLines* lines = nullptr;
 };
 
-/// Reads a surface: OFF, OBJ, STL or PLY in space, Triangle's .poly in the plane. Points and facets keep the
+/// Reads a surface: OFF, OBJ, STL or PLY in space, Triangle's .poly in the plane (its holes and regions are not
+/// read: inside and outside are told by parity). Points and facets keep the
 /// order of the file, and points their ids, used or not; STL, which has no ids, merges equal points at their
 /// first occurrence (equal as numbers: no tolerance). Facets are triangles; larger polygons are refused.
 ///

@@ -141,6 +141,7 @@ CLI::App* add_delaunay_command(CLI::App& program, DelaunayArguments& arguments) 
 ExitStatus run(const DelaunayArguments& arguments) {
   const Stopwatch watch;
   ProgressLine progress(!arguments.quiet);
+  require_distinct(arguments.files, {{"--report", arguments.report}});
   check_writable(arguments.files.output);
   check_writable(arguments.report);
   progress.phase("reading");

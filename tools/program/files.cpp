@@ -71,6 +71,30 @@ Format output_format(const FileArguments& files, int dim, FileRole role) {
   }
 }
 
+void require_distinct(const FileArguments& files, const std::vector<SideOutput>& side_outputs) {
+  std::vector<SideOutput> taken = {{"INPUT", files.input}, {"--output", files.output}};
+  if (!files.output.empty() && format_by_suffix(files.output) == Format::tetgen) {
+    for (const char* const suffix : {".node", ".ele", ".face", ".edge"}) {
+      taken.push_back(
+          {"a companion of --output", std::filesystem::path(files.output).replace_extension(suffix).string()});
+    }
+  }
+  const auto same = [](const std::string& a, const std::string& b) {
+    std::error_code error;
+    return a == b || std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+  };
+  for (const SideOutput& side : side_outputs) {
+    if (side.path.empty()) continue;
+    for (const SideOutput& other : taken) {
+      if (!other.path.empty() && same(side.path, other.path)) {
+        throw UsageError(fmt::format("{} and {} name the same file, {}", side.option, other.option,
+                                     printable(side.path, 200)));
+      }
+    }
+    taken.push_back(side);
+  }
+}
+
 void check_writable(const std::string& path) {
   if (path.empty() || path == "-") return;
   std::error_code error;

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tools/io/format.h"
 
@@ -28,6 +29,15 @@ std::optional<Format> format_by_suffix(const std::string& path);
 /// The format of OUTPUT, which must be one for meshes, or surfaces, of this dimension.
 /// @throws UsageError that lists them, otherwise.
 Format output_format(const FileArguments& files, int dim, FileRole role = FileRole::mesh_out);
+
+/// A file that a command writes beside OUTPUT, and the option that names it; an empty path is none.
+struct SideOutput {
+  const char* option;
+  std::string path;
+};
+/// @throws UsageError if one of them is INPUT, OUTPUT (with the companion files of TetGen's format), or
+///         another.
+void require_distinct(const FileArguments& files, const std::vector<SideOutput>& side_outputs);
 
 /// Finds out whether a file could be written now, so that no long computation is lost; leaves no trace.
 /// Standard output, devices and pipes are taken on trust. An empty path is no file.

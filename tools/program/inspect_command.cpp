@@ -39,12 +39,13 @@ void inspect_mesh_file(const InspectArguments& arguments, Format format, Inspect
 void inspect_mesh_of_any_dimension(const InspectArguments& arguments, Format format, Inspection& inspection) {
   try {
     return inspect_mesh_file<3>(arguments, format, inspection);
-  } catch (const FileError&) {
+  } catch (const FileError& in_space) {
     if (arguments.files.input == "-") throw;  // cannot be read twice
     try {
       return inspect_mesh_file<2>(arguments, format, inspection);
-    } catch (const FileError&) {
-      // The first error is the one to tell.
+    } catch (const FileError& in_plane) {
+      // The reader that came further has seen what is wrong; the other one only that the dimension is.
+      if (in_plane.line() > in_space.line()) throw;
     }
     throw;
   }
@@ -83,6 +84,7 @@ CLI::App* add_inspect_command(CLI::App& program, InspectArguments& arguments) {
 
 ExitStatus run(const InspectArguments& arguments) {
   const Format format = format_of(arguments);
+  require_distinct(arguments.files, {{"--report", arguments.report}});
   check_writable(arguments.report);
   Inspection inspection;
   if (supports(format, FileRole::surface_in, 3)) {

@@ -228,7 +228,9 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   command->add_option("--fallback", arguments.fallback, "What to do where no sink can be inserted")
       ->check(CLI::IsMember({"none", "circumcenter"}))
       ->capture_default_str();
-  command->add_option("--threads", arguments.threads, "For --schedule parallel; the mesh does not depend on it")
+  command
+      ->add_option("--threads", arguments.threads,
+                   "Accepted for later use: one thread works so far; the mesh does not depend on it")
       ->check(at_least(1))
       ->capture_default_str();
   command->add_option("--max-vertices", arguments.max_vertices, "Stop when the mesh has so many vertices")
@@ -252,6 +254,7 @@ ExitStatus run(const RefineArguments& arguments) {
   if (arguments.literal && arguments.schedule == "incremental") {
     throw UsageError("--literal goes with --schedule block or parallel only");
   }
+  require_distinct(arguments.files, {{"--report", arguments.report}, {"--history", arguments.history}});
   if (surface_dimension(arguments.files) == 2) return RefineRun<2>(arguments).run();
   return RefineRun<3>(arguments).run();
 }

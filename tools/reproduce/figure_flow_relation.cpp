@@ -10,6 +10,8 @@
 #include "refine/flow.h"
 #include "refine/quality.h"
 #include "tools/reproduce/detail/planar.h"
+
+#include <fmt/format.h>
 #include "tools/reproduce/figures.h"
 
 namespace sinkmesh::reproduce {
@@ -186,8 +188,7 @@ std::string figure_flow_relation() {
   canvas.text({237, 494},
               name("τ ≺ σ") + ": the circumcenter of " + name("τ") + " is on " + name("σ") + "’s side", "text",
               Anchor::middle);
-  canvas.text({745, 494}, "all " + std::to_string(crossings.size()) + " pairs; shaded: sinks", "text",
-              Anchor::middle);
+  canvas.text({745, 494}, fmt::format("all {} pairs; shaded: sinks", crossings.size()), "text", Anchor::middle);
   return canvas.take();
 }
 

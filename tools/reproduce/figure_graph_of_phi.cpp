@@ -11,6 +11,8 @@
 #include "refine/flow.h"
 #include "refine/refine.h"
 #include "tools/reproduce/detail/planar.h"
+
+#include <fmt/format.h>
 #include "tools/reproduce/figures.h"
 
 namespace sinkmesh::reproduce {
@@ -143,10 +145,10 @@ std::string figure_graph_of_phi(const Surface2& usa) {
   const int clip = canvas.define_clip(shore);
   const std::vector<Segment> edges =
       detail::edges(triangulation, detail::edges_of(triangulation.complex(), inside));
-  canvas.polygons(shore, "layer l" + std::to_string(kLayers - 1));
+  canvas.polygons(shore, fmt::format("layer l{}", kLayers - 1));
   for (int k = 0; k < kLayers; ++k) {
     const double height = top * k / kLayers;
-    if (k > 0) draw_layer(canvas, view, clip, patches, height, "l" + std::to_string(kLayers - 1 - k));
+    if (k > 0) draw_layer(canvas, view, clip, patches, height, fmt::format("l{}", kLayers - 1 - k));
     const double above = top * (k + 1) / kLayers;
     canvas.segments(seams(view, edges, height, above), "seam");
     for (const Patch& patch : patches) {

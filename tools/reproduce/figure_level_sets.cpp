@@ -9,6 +9,8 @@
 #include "core/dual.h"
 #include "refine/flow.h"
 #include "tools/reproduce/detail/planar.h"
+
+#include <fmt/format.h>
 #include "tools/reproduce/figures.h"
 
 namespace sinkmesh::reproduce {
@@ -19,7 +21,7 @@ constexpr int kLevels = 12;
 // Lighter as the values grow: the highest level, which covers `region`, first.
 void draw_level_sets(SvgCanvas& canvas, const Frame& frame, const std::vector<detail::Ball>& balls, double low,
                      double high, const std::vector<std::vector<Point2>>& region) {
-  canvas.polygons(region, "l" + std::to_string(kLevels - 1));
+  canvas.polygons(region, fmt::format("l{}", kLevels - 1));
   for (int k = kLevels - 1; k > 0; --k) {
     const double level = low + (high - low) * k / kLevels;
     std::vector<Ellipse> discs;
@@ -27,7 +29,7 @@ void draw_level_sets(SvgCanvas& canvas, const Frame& frame, const std::vector<de
       const double radius = frame.scale() * std::sqrt(std::max(0.0, ball.radius2 + level));
       if (radius > 0) discs.push_back({frame(ball.center), radius, radius});
     }
-    canvas.ellipses(discs, "l" + std::to_string(k - 1));
+    canvas.ellipses(discs, fmt::format("l{}", k - 1));
   }
 }
 

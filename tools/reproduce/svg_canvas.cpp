@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/reproduce/svg_canvas.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -116,7 +118,7 @@ void SvgCanvas::use_ramp(int count) {
   const auto write = [&](const std::array<Rgb, 3>& stops) {
     for (int k = 0; k < count; ++k) {
       const std::string colour = ramp_colour(stops, count > 1 ? static_cast<double>(k) / (count - 1) : 0);
-      rule(".l" + std::to_string(k), "fill:" + colour);
+      rule(fmt::format(".l{}", k), "fill:" + colour);
     }
   };
   write(kLightRamp);

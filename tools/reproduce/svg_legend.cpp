@@ -3,6 +3,8 @@
 
 #include "tools/reproduce/svg_canvas.h"
 
+#include <fmt/format.h>
+
 namespace sinkmesh::reproduce {
 namespace {
 
@@ -38,7 +40,7 @@ void draw_ramp(SvgCanvas& canvas, const Box<2>& box, int levels, std::string_vie
   const double width = (box.high[0] - box.low[0]) / levels;
   for (int k = 0; k < levels; ++k) {
     const double x = box.low[0] + k * width;
-    canvas.rectangle({{x, box.low[1]}, {x + width, box.high[1]}}, "l" + std::to_string(k));
+    canvas.rectangle({{x, box.low[1]}, {x + width, box.high[1]}}, fmt::format("l{}", k));
   }
   const double baseline = (box.low[1] + box.high[1]) / 2 + 0.35 * kTextSize;
   canvas.text({box.low[0] - 8, baseline}, escape(low), "text", Anchor::end);

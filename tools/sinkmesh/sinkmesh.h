@@ -16,6 +16,7 @@
 #include "refine/flow.h"                // IWYU pragma: export
 #include "refine/flower.h"              // IWYU pragma: export
 #include "refine/independence.h"        // IWYU pragma: export
+#include "refine/mesh_check.h"          // IWYU pragma: export
 #include "refine/refine.h"              // IWYU pragma: export
 #include "refine/refiner.h"             // IWYU pragma: export
 #include "refine/surface_check.h"       // IWYU pragma: export
