@@ -68,7 +68,9 @@ TEST(Expansion, IsARing) {
     for (int step = 0; step < 8; ++step) {
       const double a = random_double(random, -30, 30);
       const Expansion y = Expansion(a) + Expansion(random_double(random, -80, 10));
-      switch (random() % 3) {
+      const std::uint64_t operation = random() % 3;
+      const bool is_product = operation == 2;
+      switch (operation) {
         case 0:
           q += exact(y);
           x = x + y;
@@ -84,6 +86,10 @@ TEST(Expansion, IsARing) {
       ASSERT_EQ(exact(x), q);
       ASSERT_EQ(x.sign(), sgn(q));
       expect_invariant(x);
+      if (is_product) {
+        // Compressed: every term but the last two holds at least 52 bits.
+        ASSERT_LE(x.terms().size(), mpz_sizeinbase(q.get_num_mpz_t(), 2) / 52 + 2);
+      }
       // Every y is a multiple of 2^-132: after more steps the square would have bits below 2^-1074.
       if (step == 3) {
         const mpq_class square = q * q;
@@ -162,6 +168,14 @@ TEST(FixedInt, HasRoomForItsBound) {
   EXPECT_EQ(FixedInt<63>::kLimbs, 2u);
   EXPECT_EQ(FixedInt<126>::kLimbs, 2u);
   EXPECT_EQ(FixedInt<127>::kLimbs, 3u);
+}
+
+TEST(FixedInt, ExtendsTheSignIntoEveryLimb) {
+  const Int128 low = -(static_cast<Int128>(1) << 126);
+  for (const Int128 x : {Int128{-1}, low, Int128{1}, -low}) {
+    EXPECT_EQ(exact(FixedInt<250>(x)), exact(FixedInt<126>(x)));
+    EXPECT_EQ(FixedInt<250>(x).sign(), x < 0 ? -1 : 1);
+  }
 }
 
 // The widths of the derivation: in-sphere 5 and 10 limbs, diametral 6 and 12, orthogonality 8 and 16.

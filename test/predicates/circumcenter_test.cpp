@@ -156,6 +156,39 @@ TEST(Circumcenter, RoundsTiesToEven) {
   EXPECT_EQ(inside, 8000);
 }
 
+// Tiny simplices around the origin: the fast way has its integers, but the doubles are finer than the grid.
+TEST(Circumcenter, LiesOnTheGridWhereDoublesAreFiner) {
+  long certified = 0;
+  long inside = 0;
+  long below = 0;
+  Random random(20);
+  for (int sample = 0; sample < 4000; ++sample) {
+    const int bits = uniform_int(random, 45, 58);
+    std::vector<Point2> points(3);
+    for (Point2& p : points) {
+      for (double& x : p) x = std::ldexp(std::floor(std::ldexp(uniform(random, -1, 1), bits)), -kGridBits);
+    }
+    if (exact_volume<2>(ExactPoints<2>(points), 0) == 0) continue;
+    expect_exact_center<2>(points, certified, inside);
+    if (HasFailure()) return;
+    Point2 center;
+    if (circumcenter(corners<2>(points), center)) below += std::abs(center[0]) < 0x1p-69;
+  }
+  EXPECT_GE(below, 1000);
+}
+
+// The center is 2^-107 beyond the middle of two doubles, the even one before it, and 2^-53 from the first
+// corner: one rounding of the sum of the small parts loses what decides.
+TEST(Circumcenter, IsNotCertifiedWhereTheRestIsLostInATie) {
+  long certified = 0;
+  long inside = 0;
+  const std::vector<Point2> points{{1, 0}, {1 + 0x1p-52, -0x1p-108}, {1, 0x1p-50}};
+  expect_exact_center<2>(points, certified, inside);
+  Point2 center{};
+  EXPECT_TRUE(circumcenter(corners<2>(points), center));
+  EXPECT_EQ(center[0], 1 + 0x1p-52);
+}
+
 TEST(Circumcenter, DoesNotDependOnTheOrderOfTheCorners) {
   Random random(19);
   for (const Cloud kind : kAllClouds) {
@@ -196,6 +229,14 @@ TEST(Circumcenter, IsSetOnlyWithinTheBox) {
   // One unit of the last place beyond.
   const Point2 s{1 + 0x1p-52, 0};
   EXPECT_FALSE(circumcenter({&p, &q, &s}, center));
+  // Beyond by far less than a unit of the grid: with 0 in place of 2^-121 the center is (2, 2^-40).
+  constexpr double k = 0x1p-40;
+  long certified = 0;
+  long inside = 0;
+  expect_exact_center<2>({{0, 0}, {0, 2 * k}, {2 - k, k - 2}}, certified, inside);
+  EXPECT_EQ(inside, 1);
+  expect_exact_center<2>({{0, 0x1p-121}, {0, 2 * k}, {2 - k, k - 2}}, certified, inside);
+  EXPECT_EQ(inside, 1);
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ TYPED_TEST(ConstructionsTest, PowerIsTheExactOneRounded) {
       if (exact == 0) {
         ++zeros;
         ASSERT_EQ(value, 0);
+        ASSERT_FALSE(std::signbit(value));
       } else {
         const mpq_class error = (mpq_class(value) - exact) / exact;
         ASSERT_LT(std::abs(error.get_d()), 0x1p-52);

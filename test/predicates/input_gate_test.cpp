@@ -65,12 +65,13 @@ TEST(InputGate, KeepsTheWholeRangeOfDoubles) {
 
 TEST(InputGate, RoundsToNearestEvenOnTheGridAndCountsThePoints) {
   const std::vector<Point2> points{{1, 0},
-                                   {0.5 * kGrid, 1.5 * kGrid},        // ties
-                                   {0.75 * kGrid, -0.25 * kGrid},     // nearest
-                                   {-2.5 * kGrid, 3 * kGrid},         // tie, exact
-                                   {0x1p-300, 1},                     // far below
-                                   {0x1p-69, -0x1p-70 - 0x1p-121},    // exact
-                                   {0x1p-70 - 0x1p-122, 0x1p-1074}};  // tie, far below
+                                   {0.5 * kGrid, 1.5 * kGrid},                 // ties
+                                   {0.75 * kGrid, -0.25 * kGrid},              // nearest
+                                   {-2.5 * kGrid, 3 * kGrid},                  // tie, exact
+                                   {0x1p-300, 1},                              // far below
+                                   {0x1p-69, -0x1p-70 - 0x1p-121},             // exact
+                                   {0x1p-70 - 0x1p-122, 0x1p-1074},            // tie, far below
+                                   {0x1p-69 + 0x1p-121, 0x1p-70 + 0x3p-122}};  // exact, tie
   const InputGate<2> gate(points);
   EXPECT_EQ(gate.in(points[1]), (Point2{0, 2 * kGrid}));
   EXPECT_EQ(gate.in(points[2]), (Point2{kGrid, 0}));
@@ -78,7 +79,8 @@ TEST(InputGate, RoundsToNearestEvenOnTheGridAndCountsThePoints) {
   EXPECT_EQ(gate.in(points[4]), (Point2{0, 1}));
   EXPECT_EQ(gate.in(points[5]), points[5]);
   EXPECT_EQ(gate.in(points[6]), (Point2{0x1p-70, 0}));
-  EXPECT_EQ(gate.rounded_points(), 5u);
+  EXPECT_EQ(gate.in(points[7]), (Point2{0x1p-69 + kGrid, 0x1p-70 + 2 * kGrid}));
+  EXPECT_EQ(gate.rounded_points(), 6u);
   EXPECT_EQ(gate.granularity(), kGridBits);
 }
 
@@ -94,8 +96,13 @@ TEST(InputGate, RoundsAgainstGmp) {
   Random random(15);
   const InputGate<2> gate(std::vector<Point2>{{1, 1}});
   for (int i = 0; i < 20000; ++i) {
-    const double x = std::ldexp(uniform(random, -2, 2), uniform_int(random, -130, -60));
+    // All 53 bits, so that there is something to round up to 2^-69.
+    const double m = random() % 2 != 0 ? uniform(random, 1, 2) : uniform(random, -2, -1);
+    const double x = std::ldexp(m, uniform_int(random, -130, -60));
     const double y = gate.in({x, 0})[0];
+    if (std::abs(x) >= 0x1p-69) {
+      ASSERT_EQ(y, x);
+    }
     const double units = std::ldexp(y, kGridBits);
     ASSERT_EQ(std::trunc(units), units);
     const double error = std::abs(std::ldexp(x, kGridBits) - units);  // exact: x 2^121 has few bits above 2^-62

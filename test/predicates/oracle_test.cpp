@@ -3,6 +3,7 @@
 // Every predicate against exact integers: on raw doubles, and behind the gate with the filters of a point set.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -76,6 +77,41 @@ Predicates<Dim> predicates_around(std::vector<Point<Dim>>& points, Random& rando
   return Predicates<Dim>(box, granularity);
 }
 
+/// The functions of a set, unperturbed. Orthogonality: of the value, not of the polynomial.
+template <int Dim>
+int staged_sign(const Predicates<Dim>& predicates, const std::vector<Point<Dim>>& p, Orientation<Dim>) {
+  return predicates.orient(pointers<Orientation<Dim>>(p));
+}
+template <int Dim>
+int staged_sign(const Predicates<Dim>& predicates, const std::vector<Point<Dim>>& p, InSphere<Dim>) {
+  return predicates.in_sphere_unperturbed(pointers<Orientation<Dim>>(p), p[Dim + 1]);
+}
+template <int Dim>
+int staged_sign(const Predicates<Dim>& predicates, const std::vector<Point<Dim>>& p, Diametral<Dim>) {
+  FacetCorners<Dim> facet;
+  for (std::size_t i = 0; i < Dim; ++i) facet[i] = &p[i];
+  return predicates.diametral_side(facet, p[Dim]);
+}
+template <int Dim>
+int staged_sign(const Predicates<Dim>& predicates, const std::vector<Point<Dim>>& p, Orthogonality<Dim>) {
+  const Points<Orthogonality<Dim>> all = pointers<Orthogonality<Dim>>(p);
+  Corners<Dim> s;
+  Corners<Dim> t;
+  std::copy_n(all.begin(), Dim + 1, s.begin());
+  std::copy_n(all.begin() + Dim + 1, Dim + 1, t.begin());
+  return predicates.orthogonality(s, t);
+}
+
+/// What the functions must return, from the sign of the polynomial.
+template <class P>
+int function_sign(int sign, const std::vector<Point<P::kDim>>& points) {
+  if constexpr (kIsOrthogonality<P>) {
+    const ExactPoints<P::kDim> p(points);
+    sign *= sgn(exact_volume<P::kDim>(p, 0)) * sgn(exact_volume<P::kDim>(p, P::kDim + 1));
+  }
+  return sign;
+}
+
 template <class P>
 Tally compare_with_oracle(std::uint64_t seed) {
   constexpr int kDim = P::kDim;
@@ -94,15 +130,15 @@ Tally compare_with_oracle(std::uint64_t seed) {
       tally.zero += exact.sign == 0;
       tally.near += exact.magnitude <= 4 * kUnit * permanent_of<P>(rounded_vectors<P>(pointers<P>(points)));
       EXPECT_EQ(raw.sign, exact.sign) << "kind " << static_cast<int>(kind) << " sample " << sample;
-      if constexpr (!kIsOrthogonality<P>) {
-        EXPECT_EQ(public_sign(P{}, points), exact.sign);
-      }
+      const int expected = function_sign<P>(exact.sign, points);
+      EXPECT_EQ(public_sign(P{}, points), expected);
 
       auto gated = points;
       const Predicates<kDim> predicates = predicates_around<kDim>(gated, random);
       const Verdict staged = predicates.template verdict<P>(pointers<P>(gated));
       ++tally.staged[static_cast<std::size_t>(staged.stage)];
       EXPECT_EQ(staged.sign, exact.sign) << "kind " << static_cast<int>(kind) << " sample " << sample;
+      EXPECT_EQ(staged_sign<kDim>(predicates, gated, P{}), expected);
       if (::testing::Test::HasFailure()) return tally;
     }
   }

@@ -3,6 +3,7 @@
 // Each stage forced alone: what it answers must be right, and it must know when it cannot answer.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -158,21 +159,91 @@ TEST(Granularity, IsStrict) {
   EXPECT_EQ(by_granularity(0.25, 0.5, 1), 0);
   EXPECT_EQ(by_granularity(-0.25, 0.5, 1), 0);
   EXPECT_EQ(by_granularity(0.5, 0.5, 1), kUndecided);
+  EXPECT_EQ(by_granularity(-0.5, 0.5, 1), kUndecided);
+  EXPECT_EQ(by_granularity(-1, 1.5, 1), kUndecided);
   EXPECT_EQ(by_granularity(0, 0, 0), kUndecided);
 }
 
-// A point finer than the set's grid must end the certificate: here a volume of 2^-100 would be taken for zero.
+TYPED_TEST(StagesTest, PolynomialsHaveTheirDegrees) {
+  using P = TypeParam;
+  Random random(10);
+  for (int sample = 0; sample < 20; ++sample) {
+    auto points = make_cloud<P::kDim>(Cloud::kUniform, P::kPoints, random);
+    const double value = P::value(rounded_vectors<P>(pointers<P>(points)));
+    ASSERT_NE(value, 0);
+    for (auto& p : points) {
+      for (double& x : p) x *= 2;
+    }
+    ASSERT_EQ(P::value(rounded_vectors<P>(pointers<P>(points))), std::ldexp(value, P::kDegree));
+  }
+}
+
+// Zeros of multiples of 1/8, magnified until the error of the rounded value is near 8^-degree, of which every
+// value is a multiple: the stage decides up to there, and no further.
+TYPED_TEST(StagesTest, GranularityDecidesTheZerosWhoseErrorIsBelowTheUnit) {
+  using P = TypeParam;
+  constexpr int kBits = 3;
+  const double unit = std::ldexp(1.0, -kBits * P::kDegree);
+  Random random(11);
+  int by_local = 0;
+  int by_permanent = 0;
+  int beyond = 0;
+  for (int sample = 0; sample < 20000; ++sample) {
+    const Cloud kind = std::array{Cloud::kIntegerSphere, Cloud::kIntegerGrid, Cloud::kFlatInteger}[sample % 3];
+    auto points = make_cloud<P::kDim>(kind, P::kPoints, random);
+    const auto p = pointers<P>(points);
+    if (by_box<P>(p) == 0 || by_integers<P, kBits64>(p) != 0) continue;
+    // What the error would be were the unit 1, to the power that makes it a factor of the coordinates.
+    const double factor = std::pow(1 / local_error<P>(rounded_vectors<P>(p)), 1.0 / P::kDegree);
+    const double magnified = std::floor(factor * uniform(random, 0.8, 1.6));
+    if (!(magnified >= 1 && magnified < 0x1p40)) continue;  // infinite where an axis has no extent
+    Box<P::kDim> box;
+    for (auto& point : points) {
+      for (double& x : point) x *= std::ldexp(magnified, -kBits);
+      box.include(point);
+    }
+    const auto v = rounded_vectors<P>(p);
+    const double value = std::abs(P::value(v));
+    const Verdict verdict = Predicates<P::kDim>(box, kBits).template verdict<P>(p);
+    ASSERT_EQ(verdict.sign, 0);
+    const double local = local_error<P>(v);
+    const double permanent = permanent_error<P>(v);
+    if (value + local < unit) {
+      ASSERT_EQ(verdict.stage, Stage::kGranularity);
+      by_local += 2 * local >= unit;
+    } else if (value + permanent < unit) {
+      ASSERT_EQ(verdict.stage, Stage::kGranularity);
+      ++by_permanent;
+    } else {
+      ASSERT_NE(verdict.stage, Stage::kGranularity);
+      beyond += permanent < 2 * unit;
+    }
+  }
+  EXPECT_GE(by_local, 10);
+  EXPECT_GE(by_permanent, 10);
+  EXPECT_GE(beyond, 10);
+}
+
+// A point finer than the set's grid must end the certificate, whichever of its coordinates is finer: here a volume
+// of 2^-50, which the rounding errors hide, would be taken for zero.
 TEST(PredicatesOfASet, FollowAPointFinerThanTheGranularity) {
-  Box<3> box;
-  box.include({-1, -1, -1});
-  box.include({1, 1, 1});
-  Predicates<3> predicates(box, 0);
-  const Point3 a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0}, x{1, 1, 0x1p-100};
-  const Corners<3> s{&a, &b, &c, &x};
-  predicates.include(x);
-  EXPECT_EQ(predicates.orient(s), 1);
-  const Corners<3> flat{&a, &b, &c, &b};
-  EXPECT_EQ(predicates.orient(flat), 0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto turned = [&](const Point3& p) {
+      Point3 q;
+      for (std::size_t k = 0; k < 3; ++k) q[(k + axis) % 3] = p[k];
+      return q;
+    };
+    Box<3> box;
+    box.include({-2, -2, -2});
+    box.include({2, 2, 2});
+    Predicates<3> predicates(box, 0);
+    const Point3 a = turned({0, 0, 0}), b = turned({1, 0, 1}), c = turned({0, 1, 0}), d = turned({1, 1, 1});
+    const Point3 x = turned({1, 1, 1 + 0x1p-50});
+    EXPECT_EQ(predicates.orient({&a, &b, &c, &d}), 0);
+    predicates.include(x);
+    EXPECT_EQ(predicates.orient({&a, &b, &c, &x}), 1);
+    EXPECT_EQ(predicates.orient({&a, &b, &c, &d}), 0);
+  }
 }
 
 TEST(PredicatesOfASet, FollowAPointOutsideTheBox) {
