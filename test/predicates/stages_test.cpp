@@ -224,8 +224,8 @@ TYPED_TEST(StagesTest, GranularityDecidesTheZerosWhoseErrorIsBelowTheUnit) {
   EXPECT_GE(beyond, 10);
 }
 
-// A point finer than the set's grid must end the certificate, whichever of its coordinates is finer: here a volume
-// of 2^-50, which the rounding errors hide, would be taken for zero.
+// A point finer than the set's grid must end the certificate, whichever of its coordinates is finer: here a
+// volume of 2^-50, which the rounding errors hide, would be taken for zero.
 TEST(PredicatesOfASet, FollowAPointFinerThanTheGranularity) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto turned = [&](const Point3& p) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Ctrl-C, time limits, and progress on a terminal."""
 import os
+import pathlib
 import pty
 import signal
 import subprocess
@@ -8,6 +9,8 @@ import time
 import unittest
 
 from program import PROGRAM, ProgramTest, ellipsoid, off
+
+MODELS = pathlib.Path(__file__).parent.parent / "data" / "paper"
 
 
 class Stop(ProgramTest):
@@ -89,7 +92,7 @@ class Stop(ProgramTest):
         self.assertEqual((result.returncode, result.stderr), (3, b""))
 
     def test_a_budget_that_was_not_needed_did_not_stop_anything(self):
-        surface = self.write("small.off", off(ellipsoid(3)))
+        surface = str(MODELS / "cuboctahedron.off")  # at the end nothing of low quality is left
         for schedule in ("incremental", "block", "parallel"):
             self.succeed("refine", surface, "-o", self.path("a.vtu"), "--schedule", schedule, "--report",
                          self.path("report.json"))
