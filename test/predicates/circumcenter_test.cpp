@@ -229,13 +229,12 @@ TEST(Circumcenter, IsSetOnlyWithinTheBox) {
   // One unit of the last place beyond.
   const Point2 s{1 + 0x1p-52, 0};
   EXPECT_FALSE(circumcenter({&p, &q, &s}, center));
-  // Beyond by far less than a unit of the grid: with 0 in place of 2^-121 the center is (2, 2^-40).
-  constexpr double k = 0x1p-40;
+  // Beyond by less than half a unit of the grid: with 0 in place of 2^-121 the center is (2, 1/4).
   long certified = 0;
   long inside = 0;
-  expect_exact_center<2>({{0, 0}, {0, 2 * k}, {2 - k, k - 2}}, certified, inside);
+  expect_exact_center<2>({{0, 0}, {0.25, 1.25}, {1, -1.5}}, certified, inside);
   EXPECT_EQ(inside, 1);
-  expect_exact_center<2>({{0, 0x1p-121}, {0, 2 * k}, {2 - k, k - 2}}, certified, inside);
+  expect_exact_center<2>({{0, 0x1p-121}, {0.25, 1.25}, {1, -1.5}}, certified, inside);
   EXPECT_EQ(inside, 1);
 }
 

@@ -164,6 +164,22 @@ TEST(Granularity, IsStrict) {
   EXPECT_EQ(by_granularity(0, 0, 0), kUndecided);
 }
 
+// The permanent is largest where all differences along an axis are as large as any, and there the majorant is
+// attained; the bound on the error covers the roundings of both.
+TYPED_TEST(StagesTest, MajorantsAreThePermanentsOfTheLargestDifferences) {
+  using P = TypeParam;
+  Random random(12);
+  for (int sample = 0; sample < 2000; ++sample) {
+    Point<P::kDim> extents;
+    for (double& x : extents) x = std::ldexp(uniform(random, 1, 2), uniform_int(random, -10, 0));
+    Vectors<P, double> v;
+    for (auto& vector : v) vector = extents;
+    const double permanent = permanent_of<P>(v);
+    ASSERT_LE(P::kErrorBound * permanent, error_within<P>(extents));
+    ASSERT_NEAR(P::majorant(extents) / permanent, 1, 0x1p-40);
+  }
+}
+
 TYPED_TEST(StagesTest, PolynomialsHaveTheirDegrees) {
   using P = TypeParam;
   Random random(10);
@@ -192,7 +208,7 @@ TYPED_TEST(StagesTest, GranularityDecidesTheZerosWhoseErrorIsBelowTheUnit) {
     const Cloud kind = std::array{Cloud::kIntegerSphere, Cloud::kIntegerGrid, Cloud::kFlatInteger}[sample % 3];
     auto points = make_cloud<P::kDim>(kind, P::kPoints, random);
     const auto p = pointers<P>(points);
-    if (by_box<P>(p) == 0 || by_integers<P, kBits64>(p) != 0) continue;
+    if (by_integers<P, kBits64>(p) != 0) continue;
     // What the error would be were the unit 1, to the power that makes it a factor of the coordinates.
     const double factor = std::pow(1 / local_error<P>(rounded_vectors<P>(p)), 1.0 / P::kDegree);
     const double magnified = std::floor(factor * uniform(random, 0.8, 1.6));
@@ -211,6 +227,8 @@ TYPED_TEST(StagesTest, GranularityDecidesTheZerosWhoseErrorIsBelowTheUnit) {
     if (value + local < unit) {
       ASSERT_EQ(verdict.stage, Stage::kGranularity);
       by_local += 2 * local >= unit;
+    } else if (by_box<P>(p) == 0) {
+      ASSERT_EQ(verdict.stage, Stage::kBox);
     } else if (value + permanent < unit) {
       ASSERT_EQ(verdict.stage, Stage::kGranularity);
       ++by_permanent;

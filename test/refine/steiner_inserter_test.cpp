@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+//
+// The tests of one Steiner point, with points placed by hand where each of them decides.
+#include "refine/steiner_inserter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "refine/quality.h"
+#include "test/support/clouds.h"
+#include "test/support/rational_geometry.h"
+
+namespace sinkmesh {
+namespace {
+
+using namespace test;
+
+/// A domain in the plane, with an inserter; points are given in the units of the input.
+class Bench {
+ public:
+  /// @param loops     closed polygons; together they bound the domain.
+  /// @param interior  points inside.
+  explicit Bench(const std::vector<std::vector<Point2>>& loops, const std::vector<Point2>& interior = {})
+      : triangulation_(all_points(loops, interior)), domain_(triangulation_), flow_(triangulation_) {
+    std::vector<Domain<2>::Facet> facets;
+    std::uint32_t first = 0;
+    for (const auto& loop : loops) {
+      const auto n = static_cast<std::uint32_t>(loop.size());
+      for (std::uint32_t i = 0; i < n; ++i) facets.push_back({Vertex(first + i), Vertex(first + (i + 1) % n)});
+      first += n;
+    }
+    EXPECT_TRUE(domain_.label_by_parity(facets).empty());
+    inserter_.emplace(triangulation_, domain_, flow_, 1.0);
+    inserter_->measure_all();
+  }
+
+  const Triangulation2& triangulation() const { return triangulation_; }
+  SteinerInserter<2>& inserter() { return *inserter_; }
+  Flow<2>& flow() { return flow_; }
+  const Domain<2>& domain() const { return domain_; }
+  Point2 gated(const Point2& x) const { return triangulation_.gate().in(x); }
+
+  /// x as the candidate of a simplex, which need not have its center there.
+  Candidate<2> candidate(Simplex s, const Point2& x) const {
+    Candidate<2> c;
+    c.simplex = s;
+    c.birth = inserter_->birth(s);
+    c.corner = triangulation_.complex().corner(s, 0);
+    c.center = gated(x);
+    return c;
+  }
+
+  /// The simplices of the domain that hold x inside their circles, exactly.
+  std::vector<Simplex> in_conflict_with(const Point2& x) const {
+    std::vector<Simplex> result;
+    for (const Simplex s : domain_.simplices()) {
+      if (circumsphere<2>(triangulation_.complex(), s).power(rational<2>(gated(x))) < 0) result.push_back(s);
+    }
+    return result;
+  }
+
+ private:
+  static std::vector<Point2> all_points(const std::vector<std::vector<Point2>>& loops,
+                                        const std::vector<Point2>& interior) {
+    std::vector<Point2> points;
+    for (const auto& loop : loops) points.insert(points.end(), loop.begin(), loop.end());
+    points.insert(points.end(), interior.begin(), interior.end());
+    return points;
+  }
+
+  Triangulation2 triangulation_;
+  Domain<2> domain_;
+  Flow<2> flow_;
+  std::optional<SteinerInserter<2>> inserter_;
+};
+
+/// One of the eight symmetries of the square, around the origin.
+Point2 turned(const Point2& p, int symmetry) {
+  Point2 q = (symmetry & 1) != 0 ? Point2{p[1], p[0]} : p;
+  if ((symmetry & 2) != 0) q[0] = -q[0];
+  if ((symmetry & 4) != 0) q[1] = -q[1];
+  return q;
+}
+std::vector<Point2> turned(std::vector<Point2> points, int symmetry) {
+  for (Point2& p : points) p = turned(p, symmetry);
+  return points;
+}
+
+std::size_t count_of(const Rejections& rejections, Verdict verdict) {
+  switch (verdict) {
+    case Verdict::inserted:
+      return 0;
+    case Verdict::boundary:
+      return rejections.boundary;
+    case Verdict::crossing:
+      return rejections.crossing;
+    case Verdict::separation:
+      return rejections.separation;
+    case Verdict::dependent:
+      return rejections.dependent;
+  }
+  return 0;
+}
+
+/// The verdict on x must not depend on the simplex from which the search starts; it is counted and kept. A refusal
+/// must leave the complex as it was, and what else is known of the simplex.
+void expect_verdict(Bench& bench, const Point2& x, Verdict expected) {
+  const std::vector<Simplex> starts = bench.in_conflict_with(x);
+  ASSERT_FALSE(starts.empty());
+  std::vector<Vertex> closure;
+  const std::uint64_t hash = bench.triangulation().hash();
+  std::size_t refused = 0;
+  for (const Simplex s : starts) {
+    const bool is_low = bench.inserter().is_low_quality(s);
+    EXPECT_EQ(is_low, !(shape<2>(bench.triangulation().complex().corners(s)).ratio2() <= 1));
+    EXPECT_EQ(bench.inserter().test(bench.candidate(s, x), closure), expected);
+    refused += expected == Verdict::inserted ? 0 : 1;
+    EXPECT_EQ(count_of(bench.inserter().rejections(), expected), refused);
+    EXPECT_EQ(bench.inserter().is_low_quality(s), is_low);
+    EXPECT_TRUE(bench.triangulation().validate().ok()) << bench.triangulation().validate();
+    EXPECT_EQ(bench.triangulation().hash(), hash);
+    EXPECT_EQ(bench.inserter().rejection(s), expected);
+  }
+  EXPECT_EQ(bench.inserter().insert(bench.candidate(starts.back(), x)), expected);
+  EXPECT_TRUE(bench.triangulation().validate().ok()) << bench.triangulation().validate();
+}
+
+const std::vector<Point2> kSquare = {{-4, -4}, {-2, -4}, {0, -4}, {2, -4},  {4, -4}, {4, -2},
+                                     {4, 0},   {4, 2},   {4, 4},  {3.5, 4}, {2, 4},  {0, 4},
+                                     {-2, 4},  {-4, 4},  {-4, 2}, {-4, 0},  {-4, -2}};
+
+// The diametral sphere is closed [PS, 9]: a point on it is refused, whatever its rank among the corners.
+TEST(SteinerInserter, RefusesAPointOnTheDiametralSphereOfABoundaryFacet) {
+  for (int symmetry = 0; symmetry < 8; ++symmetry) {
+    SCOPED_TRACE(symmetry);
+    Bench on({turned(kSquare, symmetry)});
+    expect_verdict(on, turned({1, -3}, symmetry), Verdict::boundary);
+    Bench inside({turned(kSquare, symmetry)});
+    expect_verdict(inside, turned({1, -3 - 0x1p-40}, symmetry), Verdict::boundary);
+    Bench outside({turned(kSquare, symmetry)});
+    expect_verdict(outside, turned({1, -3 + 0x1p-40}, symmetry), Verdict::inserted);
+  }
+}
+
+// A vertex of another part, close above the edge (0,0)-(2,0), makes an outer triangle whose circle reaches far
+// into the lower part: center (1, -91/60), radius 109/60. Two vertices at the bottom make delta small.
+const std::vector<Point2> kLower = {{0, 0},    {2, 0},  {3, -1},    {3, -2.5}, {2, -4},
+                                    {1.9, -4}, {0, -4}, {-1, -2.5}, {-1, -1}};
+const std::vector<Point2> kUpper = {{1, 0.3}, {2, 3}, {0, 3}};
+
+TEST(SteinerInserter, RefusesAPointWhosePrestarCrossesTheBoundary) {
+  for (int symmetry = 0; symmetry < 8; ++symmetry) {
+    SCOPED_TRACE(symmetry);
+    const auto lower = turned(kLower, symmetry);
+    const auto upper = turned(kUpper, symmetry);
+    Bench bench({lower, upper});
+    expect_verdict(bench, turned({1, -2}, symmetry), Verdict::crossing);
+    Bench alone({lower});
+    expect_verdict(alone, turned({1, -2}, symmetry), Verdict::inserted);
+  }
+}
+
+// Both reasons apply to a point in the diametral sphere of another edge; `boundary` is reported, whichever is met
+// first.
+TEST(SteinerInserter, ReportsTheBoundaryBeforeACrossing) {
+  for (int symmetry = 0; symmetry < 8; ++symmetry) {
+    SCOPED_TRACE(symmetry);
+    for (const double side : {0.0, 1.0}) {
+      Bench bench({turned(kLower, symmetry), turned(kUpper, symmetry)});
+      expect_verdict(bench, turned({side == 0 ? 2.3 : -0.3, -1.5}, symmetry), Verdict::boundary);
+    }
+  }
+}
+
+// Two vertices 1/2 apart fix delta; around one of them a new point is tried from both sides of that distance.
+TEST(SteinerInserter, KeepsTheShortestDistanceOfTheInput) {
+  const std::vector<Point2> interior = {{0, 0}, {0.5, 0}};
+  Random random(1);
+  int refused = 0;
+  int inserted = 0;
+  int close = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    Bench bench({kSquare}, interior);
+    const Point2 a = bench.gated(interior[0]);
+    const Point2 b = bench.gated(interior[1]);
+    const Rational delta2 = squared_distance(rational<2>(a), rational<2>(b));
+    const double angle = uniform(random, 2, 4);
+    // What is kept is 2^-51 shorter: every other trial is as near to that as doubles allow.
+    const double offset = trial % 2 == 0 ? std::ldexp(uniform(random, -1, 1), -uniform_int(random, 4, 50))
+                                         : -0x1p-51 * uniform(random, 0.5, 1.5);
+    const double radius = 0.5 * (1 + offset);
+    const Point2 x = bench.gated({radius * std::cos(angle), radius * std::sin(angle)});
+    const Rational distance2 = squared_distance(rational<2>(x), rational<2>(a));
+    std::vector<Simplex> starts = bench.in_conflict_with(bench.triangulation().gate().out(x));
+    ASSERT_FALSE(starts.empty());
+    const Verdict verdict =
+        bench.inserter().insert(bench.candidate(starts[0], bench.triangulation().gate().out(x)));
+    // What is kept is rounded down a little, never up; and it is really kept.
+    const Rational kept2 = bench.inserter().separation2();
+    ASSERT_LE(kept2, delta2);
+    ASSERT_GE(kept2, delta2 * (1 - 0x1p-49));
+    if (verdict == Verdict::inserted) {
+      ASSERT_GE(distance2, kept2);
+      ++inserted;
+    } else {
+      ASSERT_EQ(verdict, Verdict::separation);
+      ASSERT_LT(distance2, delta2 * (1 + 0x1p-49));
+      ++refused;
+    }
+    close += abs(Rational(distance2 / delta2 - 1)) < 0x1p-40;
+    ASSERT_TRUE(bench.triangulation().validate().ok());
+  }
+  EXPECT_GE(refused, 100);
+  EXPECT_GE(inserted, 100);
+  EXPECT_GE(close, 50);
+}
+
+// Points of a grid are coarse, and a new point next to one of its many circles is fine: the certificates of zero
+// that the grid allows must have ended before the search.
+TEST(SteinerInserter, LooksAtFinePointsNextToTheCirclesOfAGrid) {
+  std::vector<Point2> interior;
+  for (int i = -3; i <= 3; ++i) {
+    for (int j = -3; j <= 3; ++j) interior.push_back({0.5 * i, 0.5 * j});
+  }
+  std::vector<Point2> square = kSquare;
+  square.insert(std::find(square.begin(), square.end(), Point2{4, 4}) + 1, {4 - 0x1p-4, 4});  // a small delta
+  Random random(2);
+  for (int trial = 0; trial < 200; ++trial) {
+    Bench bench({square}, interior);
+    // Near the circle of a cell, next to the middle of a side, from where the circle is seen from both cells.
+    const double angle = std::numbers::pi / 2 * uniform_int(random, 0, 3) + uniform(random, -0.3, 0.3);
+    const double radius = std::sqrt(0.125) + std::ldexp(uniform(random, -1, 1), -uniform_int(random, 40, 60));
+    Point2 x{0.5 * uniform_int(random, -2, 1) + 0.25, 0.5 * uniform_int(random, -2, 1) + 0.25};
+    x[0] += radius * std::cos(angle);
+    x[1] += radius * std::sin(angle);
+    const std::vector<Simplex> starts = bench.in_conflict_with(x);
+    ASSERT_FALSE(starts.empty());
+    std::vector<Vertex> expected;
+    for (const Simplex s : starts) {
+      for (int k = 0; k <= 2; ++k) expected.push_back(bench.triangulation().complex().corner(s, k));
+    }
+    std::sort(expected.begin(), expected.end());
+    expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+    std::vector<Vertex> closure;
+    ASSERT_EQ(bench.inserter().test(bench.candidate(starts[0], x), closure), Verdict::inserted);
+    ASSERT_EQ(closure, expected);
+    ASSERT_EQ(bench.inserter().insert(bench.candidate(starts[0], x)), Verdict::inserted);
+    ASSERT_TRUE(bench.triangulation().validate().ok()) << bench.triangulation().validate();
+  }
+}
+
+}  // namespace
+}  // namespace sinkmesh
