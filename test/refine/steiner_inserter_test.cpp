@@ -107,8 +107,8 @@ std::size_t count_of(const Rejections& rejections, Verdict verdict) {
   return 0;
 }
 
-/// The verdict on x must not depend on the simplex from which the search starts; it is counted and kept. A refusal
-/// must leave the complex as it was, and what else is known of the simplex.
+/// The verdict on x must not depend on the simplex from which the search starts; it is counted and kept. A
+/// refusal must leave the complex as it was, and what else is known of the simplex.
 void expect_verdict(Bench& bench, const Point2& x, Verdict expected) {
   const std::vector<Simplex> starts = bench.in_conflict_with(x);
   ASSERT_FALSE(starts.empty());
@@ -165,8 +165,8 @@ TEST(SteinerInserter, RefusesAPointWhosePrestarCrossesTheBoundary) {
   }
 }
 
-// Both reasons apply to a point in the diametral sphere of another edge; `boundary` is reported, whichever is met
-// first.
+// Both reasons apply to a point in the diametral sphere of another edge; `boundary` is reported, whichever is
+// met first.
 TEST(SteinerInserter, ReportsTheBoundaryBeforeACrossing) {
   for (int symmetry = 0; symmetry < 8; ++symmetry) {
     SCOPED_TRACE(symmetry);
@@ -220,8 +220,8 @@ TEST(SteinerInserter, KeepsTheShortestDistanceOfTheInput) {
   EXPECT_GE(close, 50);
 }
 
-// Points of a grid are coarse, and a new point next to one of its many circles is fine: the certificates of zero
-// that the grid allows must have ended before the search.
+// Points of a grid are coarse, and a new point next to one of its many circles is fine: the certificates of
+// zero that the grid allows must have ended before the search.
 TEST(SteinerInserter, LooksAtFinePointsNextToTheCirclesOfAGrid) {
   std::vector<Point2> interior;
   for (int i = -3; i <= 3; ++i) {
