@@ -43,4 +43,16 @@ const char* name(Stop stop) {
   return "";
 }
 
+const char* name(BoundaryMode mode) {
+  switch (mode) {
+    case BoundaryMode::automatic:
+      return "automatic";
+    case BoundaryMode::fixed:
+      return "fixed";
+    case BoundaryMode::refine:
+      return "refine";
+  }
+  return "";
+}
+
 }  // namespace sinkmesh

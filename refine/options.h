@@ -3,10 +3,12 @@
 // What refinement is asked to do, and what it says it has done.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <vector>
 
 #include "refine/quality.h"
 
@@ -29,6 +31,24 @@ enum class Schedule : std::uint8_t {
 enum class Fallback : std::uint8_t {
   none,          ///< leave it, as in the paper
   circumcenter,  ///< try its own circumcenter
+};
+
+/// What happens to facets of the surface [BR].
+enum class BoundaryMode : std::uint8_t {
+  automatic,  ///< fixed if the surface is stable as given, else refine
+  fixed,      ///< kept as given; what is not stable is peeled off [EG01, 5.1]
+  refine,     ///< divided where that is needed: to be Delaunay, to be stable, and for quality
+};
+
+struct BoundaryOptions {
+  BoundaryMode mode = BoundaryMode::automatic;
+  /// In degrees, above 0, at most 60. An edge between two features of the boundary that meet is not held
+  /// against the simplices at it if an angle of this size at the common corner or segment explains how short it
+  /// is. Smaller attacks more, with more points; below 17 runs may blow up [BR, 2].
+  double small_angle = 29;
+  /// Facets are one patch if all their vertices lie within this distance of one plane, as a fraction of the
+  /// diagonal of the bounding box; 0: only if exactly coplanar. At least 0, below 1.
+  double flat = 0x1p-42;
 };
 
 /// Asked between insertions.
@@ -62,6 +82,7 @@ struct RefineOptions {
   /// The mesh is the same; the counts show what the pruned rounds save.
   bool literal = false;
   Fallback fallback = Fallback::none;
+  BoundaryOptions boundary = {};
   /// Not used so far: every refinement runs on the thread of the caller. The mesh will not depend on it.
   unsigned threads = 1;
   /// Budgets; when one is spent the run ends with a valid mesh.
@@ -73,8 +94,8 @@ struct RefineOptions {
   std::function<void(const Progress&)> observer = {};
 };
 
-/// @throws InputError if max_ratio is below 1 or not a number, or if `literal` is asked of the incremental
-///         schedule.
+/// @throws InputError if max_ratio is below 1 or not a number, if an option of the boundary is out of its range,
+///         or if `literal` is asked of the incremental schedule.
 void require_valid(const RefineOptions& options);
 
 /// Why a refinement ended.
@@ -88,6 +109,7 @@ enum class Stop : std::uint8_t {
 const char* name(Insert insert);
 const char* name(Schedule schedule);
 const char* name(Stop stop);
+const char* name(BoundaryMode mode);
 
 /// Points that were considered and not inserted, by the first reason found. A point that is refused more than
 /// once (its simplex died, another has the same center) counts each time.
@@ -106,10 +128,66 @@ struct Remaining {
   std::size_t boundary = 0;  ///< a point for it was rejected for this reason ...
   std::size_t crossing = 0;
   std::size_t separation = 0;
-  std::size_t omega = 0;    ///< flows to the outside only
-  std::size_t untried = 0;  ///< the run ended before
+  std::size_t omega = 0;        ///< flows to the outside only
+  std::size_t small_angle = 0;  ///< short only because the surface has a small angle there: see Leftover
+  std::size_t untried = 0;      ///< the run ended before
 
-  std::size_t total() const { return boundary_facet + boundary + crossing + separation + omega + untried; }
+  std::size_t total() const {
+    return boundary_facet + boundary + crossing + separation + omega + small_angle + untried;
+  }
+};
+
+/// A part of the boundary, as the user knows it.
+struct BoundaryFeature {
+  enum class Kind : std::uint8_t { none, corner, segment, patch };
+  Kind kind = Kind::none;
+  /// Ids of the input: the vertex of a corner, the two of a segment; of a patch its largest facet.
+  std::array<std::uint32_t, 2> ids{};
+};
+
+/// One simplex of low quality that remains, and why.
+template <int Dim>
+struct Leftover {
+  enum class Reason : std::uint8_t {
+    boundary_facet,
+    boundary,
+    crossing,
+    separation,
+    omega,
+    small_angle,
+    untried
+  };
+  std::array<std::uint32_t, Dim + 1> corners{};  ///< points of the mesh
+  double ratio = 0;
+  Reason reason = Reason::untried;
+  /// With `small_angle`: the two features that its shortest edge joins, and the corner or segment at which they
+  /// meet.
+  BoundaryFeature first;
+  BoundaryFeature second;
+  BoundaryFeature common;
+};
+
+/// What became of the surface before any point was inserted for quality.
+struct BoundaryResult {
+  /// `fixed` or `refine`: what was done.
+  BoundaryMode mode = BoundaryMode::fixed;
+  std::size_t regions = 0;
+  // -- fixed
+  std::size_t peeled_simplices = 0;  ///< taken away, because the flow leads out of them
+  std::size_t peeled_facets = 0;     ///< facets of the surface that no longer are on the boundary
+  // -- refine
+  std::size_t patches = 0;
+  std::size_t joined_facets = 0;  ///< facets of the surface less patches
+  std::size_t segments = 0;
+  std::size_t points_on_segments = 0;
+  std::size_t points_on_patches = 0;
+  /// Facets of the surface, by increasing id, that have pieces which could not be made Delaunay. Unless it is
+  /// empty there is no domain.
+  std::vector<std::uint32_t> unconformed;
+  /// Other than `no_candidate`: ended by a budget or on request before the surface was conformed.
+  Stop stop = Stop::no_candidate;
+
+  bool ok() const { return unconformed.empty() && stop == Stop::no_candidate; }
 };
 
 struct RefineResult {
@@ -120,6 +198,9 @@ struct RefineResult {
   std::size_t inserted = 0;
   Rejections rejected;
   Remaining remaining;
+  /// Of `inserted`, those on the boundary.
+  std::size_t points_on_segments = 0;
+  std::size_t points_on_patches = 0;
   /// The separation that was kept: no two vertices of the result are closer, in the units of the input.
   double separation = 0;
 };

@@ -88,7 +88,8 @@ template <int Dim>
 SurfaceMesher<Dim>::~SurfaceMesher() = default;
 
 template <int Dim>
-typename Domain<Dim>::Peeled SurfaceMesher<Dim>::find_domain() {
+BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
+  require_valid(options);
   const std::vector<std::size_t> missing = state_->domain.label_by_parity(state_->used.facets);
   if (!missing.empty()) {
     throw InputError(
@@ -105,12 +106,21 @@ typename Domain<Dim>::Peeled SurfaceMesher<Dim>::find_domain() {
                      count_of(peeled.simplices, "simplex", "simplices") +
                      "); divide its facets into smaller ones");
   }
-  return peeled;
+  BoundaryResult result;
+  result.regions = 1;
+  result.peeled_simplices = peeled.simplices;
+  result.peeled_facets = peeled.facets;
+  return result;
 }
 
 template <int Dim>
 RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
   return Refiner<Dim>(state_->triangulation, state_->domain, state_->flow, options).run();
+}
+
+template <int Dim>
+std::vector<Leftover<Dim>> SurfaceMesher<Dim>::leftovers() const {
+  return {};
 }
 
 template <int Dim>

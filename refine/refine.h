@@ -26,14 +26,21 @@ class SurfaceMesher {
   SurfaceMesher& operator=(SurfaceMesher&&) noexcept;
   ~SurfaceMesher();
 
-  /// Labels the inside, and peels it to its maximal stable subcomplex.
-  /// @throws InputError if facets of the surface are no facets of the triangulation (how many, and the first),
-  ///         if the surface is not closed, or if nothing stable remains.
-  typename Domain<Dim>::Peeled find_domain();
+  /// Finds what the surface bounds, after dividing facets until all are Delaunay and stable (boundary mode
+  /// `refine`), or after peeling to the maximal stable subcomplex (`fixed`). Call it once.
+  /// @param options  boundary, and the budgets; conforming obeys them, too.
+  /// @return what was done; unless ok() there is no domain.
+  /// @throws InputError with mode `fixed` if facets of the surface are no facets of the triangulation (how many,
+  ///         and the first), or if nothing stable remains; with any mode if the surface crosses itself or bounds
+  ///         nothing.
+  BoundaryResult find_domain(const RefineOptions& options = {});
 
   /// Inserts Steiner points until no simplex of the domain has r/l above options.max_ratio, or none can be
   /// inserted; see Refiner. Can be called again, with other options.
   RefineResult refine(const RefineOptions& options);
+
+  /// After refine(): each simplex of low quality that remains, the worst ratio first. Linear.
+  std::vector<Leftover<Dim>> leftovers() const;
 
   /// Of the domain as it is now. Linear.
   QualityStatistics statistics(double max_ratio) const;
@@ -43,7 +50,9 @@ class SurfaceMesher {
   /// whatever the numbering.
   std::uint64_t hash() const;
   /// The domain as plain arrays, in the units of the input. All points of the surface come first, the unused
-  /// ones too, with their ids; then the Steiner points.
+  /// ones too, with their ids; then the Steiner points. Fields: of simplices their "region", counted from 1, and
+  /// its "tag" if the surface has region seeds; of boundary facets the "parent", the facet of the surface of
+  /// which they are a part, and its "tag" if facets have tags.
   Mesh<Dim> mesh() const;
 
   const Triangulation<Dim>& triangulation() const;

@@ -113,7 +113,7 @@ TEST(Figures, LevelSetsMarkPointsAndSinks) {
 
 TEST(Figures, WatershedsCountWhatTheLibraryFinds) {
   SurfaceMesher2 mesher(usa());
-  EXPECT_EQ(mesher.find_domain().simplices, 0u);
+  EXPECT_EQ(mesher.find_domain().peeled_simplices, 0u);
   Flow<2> flow(mesher.triangulation());
   const Complex<2>& complex = mesher.triangulation().complex();
   const std::vector<Simplex> inside = mesher.domain().simplices();

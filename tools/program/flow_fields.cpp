@@ -11,9 +11,9 @@ FlowCounts add_flow_fields(const Triangulation<Dim>& triangulation, Mesh<Dim>& m
   const Watersheds<Dim> watersheds = find_watersheds(flow);
   const std::vector<std::uint32_t> count = count_sinks(flow);
   FlowCounts counts{watersheds.sinks.size(), 0};
-  typename Mesh<Dim>::SimplexField watershed{"watershed", {}};
-  typename Mesh<Dim>::SimplexField sink{"sink", {}};
-  typename Mesh<Dim>::SimplexField sinks{"sinks", {}};
+  typename Mesh<Dim>::Field watershed{"watershed", {}};
+  typename Mesh<Dim>::Field sink{"sink", {}};
+  typename Mesh<Dim>::Field sinks{"sinks", {}};
   for (const Simplex s : triangulation.complex().simplices()) {
     if (triangulation.complex().is_ghost(s)) continue;
     watershed.values.push_back(watersheds[s]);

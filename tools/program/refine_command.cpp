@@ -54,7 +54,7 @@ class RefineRun {
     progress_.phase("triangulating");
     SurfaceMesher<Dim> mesher(surface);
     lap("delaunay");
-    const auto peeled = mesher.find_domain();
+    const BoundaryResult boundary = mesher.find_domain();
     lap("domain");
     initial_ = mesher.statistics(arguments_.ratio);
     initial_vertices_ = mesher.num_vertices();
@@ -80,9 +80,9 @@ class RefineRun {
     progress_.erase();
     const double total = watch_.total();
     if (!arguments_.report.empty()) {
-      io_detail::write_file(arguments_.report, to_text(report(surface, mesher, peeled, total)));
+      io_detail::write_file(arguments_.report, to_text(report(surface, mesher, boundary, total)));
     }
-    if (!arguments_.quiet) print(summary(surface, mesher, peeled, total), arguments_.files.output == "-");
+    if (!arguments_.quiet) print(summary(surface, mesher, boundary, total), arguments_.files.output == "-");
     return result_.stop == Stop::no_candidate ? ExitStatus::done : ExitStatus::stopped_early;
   }
 
@@ -113,8 +113,8 @@ class RefineRun {
     return options;
   }
 
-  Json report(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher,
-              const typename Domain<Dim>::Peeled& peeled, double total) const {
+  Json report(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher, const BoundaryResult& boundary,
+              double total) const {
     const auto limit = [](const auto& value) { return value ? Json(*value) : Json(); };
     const Triangulation<Dim>& triangulation = mesher.triangulation();
     Json report = begin_report("refine");
@@ -132,7 +132,7 @@ class RefineRun {
                          {"threads", arguments_.threads},
                          {"max_vertices", limit(arguments_.max_vertices)},
                          {"time_limit", limit(arguments_.time_limit)}};
-    report["peeled"] = {{"simplices", peeled.simplices}, {"facets", peeled.facets}};
+    report["peeled"] = {{"simplices", boundary.peeled_simplices}, {"facets", boundary.peeled_facets}};
     report["initial"] = to_json(Dim, initial_vertices_, initial_);
     report["final"] = to_json(Dim, mesher.num_vertices(), final_);
     report["final"]["histogram"] = histogram(final_);
@@ -161,7 +161,7 @@ class RefineRun {
   }
 
   std::string summary(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher,
-                      const typename Domain<Dim>::Peeled& peeled, double total) const {
+                      const BoundaryResult& boundary, double total) const {
     Summary summary;
     summary.line("input", fmt::format("{}: {}, {}", printable(arguments_.files.input, 200),
                                       count(surface.points.size(), "vertex", "vertices"),
@@ -171,10 +171,11 @@ class RefineRun {
                                    count(rounded, "point was", "points were")));
     }
     summary.line("domain", fmt::format("{} inside", simplices(initial_.simplices(), Dim)));
-    if (peeled.simplices != 0) {
+    if (boundary.peeled_simplices != 0) {
       summary.line("",
                    fmt::format("after {} with {} of the surface were peeled off, from which the flow leads out",
-                               simplices(peeled.simplices, Dim), count(peeled.facets, "facet", "facets")));
+                               simplices(boundary.peeled_simplices, Dim),
+                               count(boundary.peeled_facets, "facet", "facets")));
     }
     add_quality(summary, {{"before", initial_vertices_, &initial_}, {"after", mesher.num_vertices(), &final_}},
                 Dim, arguments_.ratio);
