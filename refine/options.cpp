@@ -12,9 +12,37 @@ void require_valid(const RefineOptions& options) {
     throw InputError("max_ratio is " + std::to_string(options.max_ratio) +
                      ": it must be at least 1, or refinement need not end");
   }
+  if (!(options.boundary.small_angle > 0 && options.boundary.small_angle <= 60)) {
+    throw InputError("small_angle is " + std::to_string(options.boundary.small_angle) +
+                     ": it must be above 0 and at most 60 degrees");
+  }
+  if (!(options.boundary.flat >= 0 && options.boundary.flat < 1)) {
+    throw InputError("flat is " + std::to_string(options.boundary.flat) +
+                     ": it must be at least 0 and below 1, a fraction of the diagonal of the bounding box");
+  }
   if (options.literal && options.schedule == Schedule::incremental) {
     throw InputError("literal rounds exist in the block and parallel schedules only");
   }
+}
+
+std::size_t& Remaining::count(LeftoverReason reason) {
+  switch (reason) {
+    case LeftoverReason::small_angle:
+      return small_angle;
+    case LeftoverReason::boundary_facet:
+      return boundary_facet;
+    case LeftoverReason::boundary:
+      return boundary;
+    case LeftoverReason::crossing:
+      return crossing;
+    case LeftoverReason::separation:
+      return separation;
+    case LeftoverReason::omega:
+      return omega;
+    case LeftoverReason::untried:
+      break;
+  }
+  return untried;
 }
 
 const char* name(Insert insert) { return insert == Insert::sink ? "sink" : "circumcenter"; }

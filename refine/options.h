@@ -121,6 +121,17 @@ struct Rejections {
   std::size_t dependent = 0;  ///< not independent of a point of the same round
 };
 
+/// Why a simplex of low quality remains, in the order in which reasons are looked for.
+enum class LeftoverReason : std::uint8_t {
+  small_angle,
+  boundary_facet,
+  untried,
+  boundary,
+  crossing,
+  separation,
+  omega
+};
+
 /// Simplices of low quality that remain, each with one reason: the first in this order that applies.
 struct Remaining {
   /// Has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it.
@@ -135,6 +146,7 @@ struct Remaining {
   std::size_t total() const {
     return boundary_facet + boundary + crossing + separation + omega + small_angle + untried;
   }
+  std::size_t& count(LeftoverReason reason);
 };
 
 /// A part of the boundary, as the user knows it.
@@ -148,15 +160,7 @@ struct BoundaryFeature {
 /// One simplex of low quality that remains, and why.
 template <int Dim>
 struct Leftover {
-  enum class Reason : std::uint8_t {
-    boundary_facet,
-    boundary,
-    crossing,
-    separation,
-    omega,
-    small_angle,
-    untried
-  };
+  using Reason = LeftoverReason;
   std::array<std::uint32_t, Dim + 1> corners{};  ///< points of the mesh
   double ratio = 0;
   Reason reason = Reason::untried;
