@@ -33,21 +33,18 @@ std::size_t align(std::array<P, N>& s, std::array<P, N>& t) {
 
 bool is_degenerate(const FacetCorners<2>& s) { return *s[0] == *s[1]; }
 
-// Segments. The points of a line are in the order of their coordinates.
+// Segments whose boxes meet.
 bool meet_badly(const Predicates<2>& predicates, FacetCorners<2> s, FacetCorners<2> t) {
   const std::size_t common = align(s, t);
   if (common == 2) return false;
   const auto side = [&](const FacetCorners<2>& u, const Point2* p) {
     return predicates.orient({u[0], u[1], p});
   };
+  // The points of a line are in the order of their coordinates.
   if (common == 1) return side(s, t[1]) == 0 && (*s[1] < *s[0]) == (*t[1] < *t[0]);
   const int first = side(s, t[0]);
   const int second = side(s, t[1]);
-  if (first == 0 && second == 0) {
-    const auto [s_low, s_high] = std::minmax(*s[0], *s[1]);
-    const auto [t_low, t_high] = std::minmax(*t[0], *t[1]);
-    return s_low <= t_high && t_low <= s_high;
-  }
+  if (first == 0 && second == 0) return true;  // collinear: they overlap where their boxes do
   return first * second <= 0 && side(t, s[0]) * side(t, s[1]) <= 0;
 }
 
@@ -78,31 +75,23 @@ class PlaneView {
 
 bool is_degenerate(const FacetCorners<3>& s) { return PlaneView(s).is_degenerate(); }
 
-// A convex polygon in a plane, counterclockwise in the view of that plane; two corners: a segment.
-using Polygon = std::span<const Point3* const>;
-
-Box<3> box_of(Polygon s) {
-  Box<3> box;
-  for (const Point3* const p : s) box.include(*p);
-  return box;
-}
-
-bool is_beyond_an_edge(const PlaneView& view, Polygon s, Polygon of) {
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    const Point3* const a = of[i];
-    const Point3* const b = of[i + 1 == of.size() ? 0 : i + 1];
+// Is all of s strictly outside of an edge of t, which is counterclockwise in the view?
+bool is_beyond_an_edge(const PlaneView& view, const FacetCorners<3>& s, const FacetCorners<3>& t) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3* const a = t[k];
+    const Point3* const b = t[(k + 1) % 3];
     if (std::all_of(s.begin(), s.end(), [&](const Point3* p) { return view.side(a, b, p) < 0; })) return true;
   }
   return false;
 }
 
-// Unless they meet, an edge of one separates them: the differences of their points are a convex polygon, whose
-// edges are parallel to theirs, and which then misses the origin.
-bool meet_in_plane(const PlaneView& view, Polygon s, Polygon t) {
-  return !is_beyond_an_edge(view, s, t) && !is_beyond_an_edge(view, t, s);
+Box<3> box_of(std::span<const Point3* const> points) {
+  Box<3> box;
+  for (const Point3* const p : points) box.include(*p);
+  return box;
 }
 
-// Triangles.
+// Triangles, neither of them degenerate.
 class TriangleContact {
  public:
   TriangleContact(const Predicates<3>& predicates, const FacetCorners<3>& s, const FacetCorners<3>& t)
@@ -154,40 +143,38 @@ class TriangleContact {
     const PlaneView view(s_);
     Triangle t = t_;
     if (view.side(t[0], t[1], t[2]) < 0) std::swap(t[1], t[2]);
-    return common_ == 0 ? meet_in_plane(view, s_, t) : cones_meet(view, s_, t);
+    if (common_ == 1) return cones_meet(view, s_, t);
+    // Unless they meet, an edge of one separates them: the differences of their points are a convex polygon,
+    // whose edges are parallel to theirs, and which then misses the origin.
+    return !is_beyond_an_edge(view, s_, t) && !is_beyond_an_edge(view, t, s_);
   }
-  // Triangles abc, ade in a plane, both counterclockwise, have more in common than a if and only if the ray from
-  // a along a side of one is in the cone of the other.
+  // Triangles abc, ade in a plane, both counterclockwise, have more in common than a if and only if their cones
+  // at a have: then counterclockwise the first ray of the intersection is ab or ad, and in the other cone.
   static bool cones_meet(const PlaneView& view, const Triangle& s, const Triangle& t) {
     const auto [a, b, c] = s;
     const Point3* const d = t[1];
     const Point3* const e = t[2];
     const int bd = view.side(a, b, d);
-    const int cd = view.side(a, c, d);
-    if (bd >= 0 && cd <= 0) return true;
-    const int be = view.side(a, b, e);
-    const int ce = view.side(a, c, e);
-    return (be >= 0 && ce <= 0) || (bd <= 0 && be >= 0) || (cd <= 0 && ce >= 0);
+    return (bd >= 0 && view.side(a, c, d) <= 0) || (bd <= 0 && view.side(a, b, e) >= 0);
   }
 
-  // Without common corners, triangles meet only if an edge of one meets the other. With one, every other point
-  // of the intersection is on a ray from the common corner that leaves one of the triangles, while within the
-  // other, at the edge opposite to that corner; and that edge is clear of the corner.
+  // Of triangles in different planes. Without common corners, they meet only if an edge of one meets the other.
+  // With one, every other point of the intersection is on a ray from the common corner that leaves one of the
+  // triangles, while within the other, at the edge opposite to that corner; and that edge is clear of the corner.
   bool has_edge_through(const Triangle& s, const Signs& s_sides, const Triangle& t) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
       if (common_ == 1 && k != 1) continue;
-      if (edge_meets({s[k], s[next]}, s_sides[k], s_sides[next], t)) return true;
+      if (s_sides[k] != s_sides[next] && meets(s[k], s[next], t)) return true;
     }
     return false;
   }
-  // The sides are those of the ends and the plane of t.
-  bool edge_meets(const std::array<const Point3*, 2>& edge, int first, int second, const Triangle& t) const {
-    if (first * second > 0) return false;
-    if (first == 0 && second == 0) return meet_in_plane(PlaneView(t), edge, t);
+  // Of an edge that meets the plane of t in one point. One in the plane need not be looked at: where it meets t,
+  // an end of it does, which belongs to another edge, or an edge of t meets it.
+  bool meets(const Point3* a, const Point3* b, const Triangle& t) const {
     // Seen along the edge, the triangle turns around its point on the edge, or has it on its border.
     bool turns[3] = {};
-    for (std::size_t k = 0; k < 3; ++k) turns[orient(edge[0], edge[1], t[k], t[(k + 1) % 3]) + 1] = true;
+    for (std::size_t k = 0; k < 3; ++k) turns[orient(a, b, t[k], t[(k + 1) % 3]) + 1] = true;
     return !(turns[0] && turns[2]);
   }
 
