@@ -30,8 +30,8 @@ struct BoxOfFacet {
 /// The boxes of facets, to be searched for those that meet a box: a bounding-volume hierarchy for each class of
 /// sizes, so that large facets do not swell the boxes over small ones.
 ///
-/// A node's box contains the boxes of all facets below it, and its last_facet is the largest id there; so a search
-/// that skips a node misses nothing.
+/// A node's box contains the boxes of all facets below it, and its last_facet is the largest id there; so a
+/// search that skips a node misses nothing.
 /// Cost: O(n log n) to build; a search, about log n for each class of sizes, and what it finds. Memory linear.
 template <int Dim>
 class BoxForest {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Two phases: for each facet those of larger id whose boxes meet its box, and for each of them exact signs.
-// No pair is missed: the box of a facet is exact, the extreme coordinates of its corners, so that facets that have
-// a point in common have boxes that have.
+// No pair is missed: the box of a facet is exact, the extreme coordinates of its corners, so that facets that
+// have a point in common have boxes that have.
 #include "refine/self_intersections.h"
 
 #include <algorithm>
@@ -48,8 +48,8 @@ bool meet_badly(const Predicates<2>& predicates, FacetCorners<2> s, FacetCorners
   return first * second <= 0 && side(t, s[0]) * side(t, s[1]) <= 0;
 }
 
-// The plane of a triangle, seen along an axis along which the triangle does not shrink to a segment: one to one,
-// so that signs in the coordinate plane are signs in the plane.
+// The plane of a triangle, seen along an axis along which the triangle does not shrink to a segment: one to
+// one, so that signs in the coordinate plane are signs in the plane.
 class PlaneView {
  public:
   explicit PlaneView(const FacetCorners<3>& s) {
@@ -160,7 +160,7 @@ class TriangleContact {
 
   // Of triangles in different planes. Without common corners, they meet only if an edge of one meets the other.
   // With one, every other point of the intersection is on a ray from the common corner that leaves one of the
-  // triangles, while within the other, at the edge opposite to that corner; and that edge is clear of the corner.
+  // triangles, while within the other, at the edge opposite to that corner; which is clear of the corner.
   bool has_edge_through(const Triangle& s, const Signs& s_sides, const Triangle& t) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
@@ -169,8 +169,8 @@ class TriangleContact {
     }
     return false;
   }
-  // Of an edge that meets the plane of t in one point. One in the plane need not be looked at: where it meets t,
-  // an end of it does, which belongs to another edge, or an edge of t meets it.
+  // Of an edge that meets the plane of t in one point. One in the plane need not be looked at: where it meets
+  // t, an end of it does, which belongs to another edge, or an edge of t meets it.
   bool meets(const Point3* a, const Point3* b, const Triangle& t) const {
     // Seen along the edge, the triangle turns around its point on the edge, or has it on its border.
     bool turns[3] = {};

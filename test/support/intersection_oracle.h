@@ -15,7 +15,7 @@
 
 namespace sinkmesh::test {
 
-/// Corners of a convex polygon, in cyclic order and possibly repeated; of one or two corners: a point, a segment.
+/// Corners of a convex polygon, in cyclic order and possibly repeated; one corner: a point; two: a segment.
 template <int Dim>
 using RationalPolygon = std::vector<RationalPoint<Dim>>;
 
