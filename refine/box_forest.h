@@ -14,10 +14,14 @@
 
 namespace sinkmesh {
 
+/// Without branches: either answer is likely.
 template <int Dim>
 bool boxes_meet(const Box<Dim>& a, const Box<Dim>& b) {
   bool apart = false;
-  for (std::size_t k = 0; k < Dim; ++k) apart |= (a.low[k] > b.high[k]) | (b.low[k] > a.high[k]);
+  for (std::size_t k = 0; k < Dim; ++k) {
+    apart |= a.low[k] > b.high[k];
+    apart |= b.low[k] > a.high[k];
+  }
   return !apart;
 }
 

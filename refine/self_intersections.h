@@ -30,8 +30,8 @@ using FacetPair = std::pair<std::uint32_t, std::uint32_t>;
 /// @return the first `limit` pairs in ascending order: a function of the surface and its ids. Decided by exact
 ///         signs of the gated coordinates (predicates/input_gate.h). Never throws but for lack of memory.
 /// Cost: O(n log n), and the pairs of facets whose boxes meet, which are a few to a facet unless many facets
-/// share a vertex or are long, thin and oblique; about 0.1 s for 100,000 triangles. Memory linear. A limit saves
-/// time only if it is reached.
+/// share a vertex or are long, thin and oblique; about 0.1 s for 100,000 triangles. Memory linear. A limit
+/// saves time only if it is reached.
 template <int Dim>
 [[nodiscard]] std::vector<FacetPair> self_intersections(
     const Surface<Dim>& surface, std::size_t limit = std::numeric_limits<std::size_t>::max());

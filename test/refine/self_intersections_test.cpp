@@ -296,8 +296,8 @@ TEST(SelfIntersectionsInSpace, OfAFan) {
   EXPECT_FALSE(self_intersections(fan).empty());
 }
 
-// Counted by CGAL 5.5 with exact predicates. It tells vertices apart by their ids: where two are equal, in one of
-// the models, it counts every pair of a facet at one and a facet at the other.
+// Counted by CGAL 5.5 with exact predicates. It tells vertices apart by their ids: where two are equal, in one
+// of the models, it counts every pair of a facet at one and a facet at the other.
 TEST(SelfIntersectionsOfRealModels, AreThoseThatOthersCount) {
   if (!has_collection()) GTEST_SKIP() << "no collection at " << collection();
   const auto nasty = [](const std::string& name) {
