@@ -333,7 +333,7 @@ Mesh<Dim> hull_mesh(const Triangulation<Dim>& triangulation) {
 template <int Dim>
 Mesh<Dim> refine(const Surface<Dim>& surface, const RefineOptions& options) {
   require_valid(options);
-  for (const SurfaceDefect& defect : check_surface(surface)) {
+  for (const SurfaceDefect& defect : check_surface(surface, SurfaceChecks::without_intersections)) {
     if (severity(defect.kind) == SurfaceSeverity::error) {
       throw InputError(defect.message + ": " + std::string(advice(defect.kind)));
     }
