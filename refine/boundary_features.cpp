@@ -189,22 +189,32 @@ void BoundaryFeatures<Dim>::for_each_common(const Feature& f, const Feature& g, 
 
 template <int Dim>
 std::optional<Rung> BoundaryFeatures<Dim>::rung(Vertex p, Vertex q, double lambda) const {
-  const Feature f = vertex(p).on;
-  const Feature g = vertex(q).on;
-  const auto can_be = [](const Feature& x) { return x.kind == Kind::segment || x.kind == Kind::patch; };
-  if (!can_be(f) || !can_be(g) || f == g) return std::nullopt;
-  if (f.kind != g.kind) {
-    const std::uint32_t patch = f.kind == Kind::patch ? f.id : g.id;
-    if (is_on_patch(f.kind == Kind::segment ? p : q, patch)) return std::nullopt;
-  }
+  const auto features_at = [this](Vertex v, Vertex other) {
+    std::vector<Feature> result;
+    const Feature on = vertex(v).on;
+    if (on.kind != Kind::segment && on.kind != Kind::patch) return result;
+    if (on.kind == Kind::segment || !is_on_patch(other, on.id)) result.push_back(on);
+    if (on.kind == Kind::segment) {
+      for (const std::uint32_t patch : segment_patches_[on.id]) {
+        if (!is_on_patch(other, patch)) result.push_back({Kind::patch, patch});
+      }
+    }
+    return result;
+  };
   const Point<Dim>& a = complex_->point(p);
   const Point<Dim>& b = complex_->point(q);
   std::optional<Rung> nearest;
-  for_each_common(f, g, [&](const Feature& common) {
-    const double reach2 = std::min(distance2(a, common), distance2(b, common));
-    if (!nearest || reach2 < nearest->reach2) nearest = Rung{f, g, common, reach2};
-  });
-  if (!nearest || squared_distance(a, b) >= lambda * lambda * nearest->reach2) return std::nullopt;
+  const auto of_q = features_at(q, p);
+  for (const Feature& f : features_at(p, q)) {
+    for (const Feature& g : of_q) {
+      if (f == g) continue;
+      for_each_common(f, g, [&](const Feature& common) {
+        const double reach2 = std::min(distance2(a, common), distance2(b, common));
+        if (squared_distance(a, b) >= lambda * lambda * reach2) return;
+        if (!nearest || reach2 < nearest->reach2) nearest = Rung{f, g, common, reach2};
+      });
+    }
+  }
   return nearest;
 }
 

@@ -83,8 +83,8 @@ template <int Dim>
 bool Conformer<Dim>::conform(const std::function<bool()>& may_continue) {
   for (;;) {
     if (Dim == 3 && !segment_queue_.empty()) {
-      const SubSegment s = segment_queue_.back();
-      segment_queue_.pop_back();
+      const SubSegment s = segment_queue_.front();
+      segment_queue_.pop_front();
       if (boundary_->sub_facets().segment_of(s.u, s.v) != s.segment || boundary_->has_edge(s.u, s.v)) continue;
       if (!may_continue()) return false;
       mend(s);
@@ -191,11 +191,18 @@ double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const
   const bool is_corner_v = tv == 0 || tv == 1;
   if (is_corner_u != is_corner_v) {
     const Vertex corner = is_corner_u ? s.u : s.v;
-    if (Dim == 2 || culprit.is_null() || features.has_corner(features.vertex(culprit).on, corner)) {
+    if (Dim == 2 || features.has_corner(features.vertex(culprit).on, corner)) {
       const double length = features.length(s.segment);
       const double shell = std::exp2(std::floor(std::log2(std::abs(tu - tv) * length * (2.0 / 3))));
       return (is_corner_u ? tu : tv) == 0 ? shell / length : 1 - shell / length;
     }
+  }
+  if (Dim == 3 && !culprit.is_null() && features.is_on_boundary(culprit) && !boundary_->has_edge(s.u, s.v)) {
+    const auto& ends = features.segments()[s.segment].ends;
+    const Point<Dim> along = complex().point(ends[1]) - complex().point(ends[0]);
+    const double t = dot(complex().point(culprit) - complex().point(ends[0]), along) / dot(along, along);
+    const double part = (t - tu) / (tv - tu);
+    if (part > 0.2 && part < 0.8) return t;
   }
   return (tu + tv) / 2;
 }
@@ -426,7 +433,7 @@ Vertex Conformer<Dim>::insert(const Point<Dim>& x, Simplex hint, double distance
 // What is to be known of a new vertex.
 template <int Dim>
 void Conformer<Dim>::settle(Vertex v, const Feature& on, double t, Vertex q) {
-  BoundaryVertex info{on, t, 0, nearest2_};
+  BoundaryVertex info{on, t, 1U, nearest2_};
   boundary_->set_vertex(v, info);
   if (q.is_null()) return;
   const BoundaryVertex& culprit = boundary_->features().vertex(q);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <queue>
@@ -112,7 +113,7 @@ class Conformer {
 
   Cavity<Dim> cavity_;
   double nearest2_ = 0;  // squared distance of the last point from its nearest vertex
-  std::vector<SubSegment> segment_queue_;
+  std::deque<SubSegment> segment_queue_;
   std::priority_queue<Entry> facet_queue_;
   std::vector<std::pair<SubFacet, std::uint32_t>> stuck_;
   std::vector<SubFacet> created_;

@@ -40,13 +40,12 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
 template <int Dim>
 RefineResult Refiner<Dim>::run() {
   inserter_.measure_all();
-  do {
-    if (options_.schedule == Schedule::incremental) {
-      run_incremental();
-    } else {
-      run_rounds();
-    }
-  } while (conformer_ != nullptr && !is_stopped() && (divide_for_quality() || bring_centers_inside()));
+  if (options_.schedule == Schedule::incremental) {
+    run_incremental(false);
+  } else {
+    run_rounds();
+  }
+  if (conformer_ != nullptr) refine_boundary();
   result_.stop = budget_.stop();
   result_.prestars = inserter_.num_prestars();
   result_.inserted = inserter_.num_inserted();

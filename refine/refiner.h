@@ -43,12 +43,12 @@ class Refiner {
   const std::vector<Leftover<Dim>>& leftovers() const { return leftovers_; }
 
  private:
-  void run_incremental();
+  void run_incremental(bool divides_boundary);
   void run_rounds();
-  // The boundary: each returns whether it has inserted a point.
-  bool divide_for_quality();
+  void refine_boundary();
+  // Each returns whether it has inserted a point.
   bool divide_for(Simplex s);
-  bool divide_for_center_of(Simplex s);
+  bool divide_for_center_of(Simplex center, double relaxed2);
   bool bring_centers_inside();
   HalfFacet wall_before_center(Simplex s);
   void settle_boundary();
@@ -90,6 +90,7 @@ class Refiner {
   Progress round_;
   std::size_t dependent_ = 0;  // found so before a search
   std::size_t inserted_before_round_ = 0;
+  bool generous_ = false;  // with points on the boundary
   std::size_t on_segments_before_ = 0;
   std::size_t on_patches_before_ = 0;
 

@@ -21,44 +21,33 @@ void Refiner<Dim>::settle_boundary() {
   for (const Simplex s : conformer_->label_new()) inserter_.add(s);
 }
 
-// For the simplices that no interior point could mend, the worst first.
+// At first only where a point on the boundary is nearly as far from all vertices as the center for which it stands;
+// that keeps the mesh small. What is left then has to be content with any that makes no edge shorter than the one
+// that is to go.
 template <int Dim>
-bool Refiner<Dim>::divide_for_quality() {
-  struct Entry {
-    double ratio2;
-    std::uint64_t tie;
-    Simplex simplex;
-    std::uint32_t birth;
-  };
-  std::vector<Entry> entries;
-  for (const Simplex s : inserter_.low_quality()) {
-    if (inserter_.is_excused(s)) continue;
-    entries.push_back(
-        {shape<Dim>(inserter_.complex().corners(s)).ratio2(), inserter_.tie(s), s, inserter_.birth(s)});
+void Refiner<Dim>::refine_boundary() {
+  for (const bool generous : {false, true}) {
+    generous_ = generous;
+    do {
+      inserter_.reconsider_all();
+      run_incremental(true);
+    } while (!is_stopped() && bring_centers_inside());
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.ratio2 != b.ratio2 ? a.ratio2 > b.ratio2 : a.tie < b.tie;
-  });
-  bool has_inserted = false;
-  for (const Entry& entry : entries) {
-    if (!may_continue()) return false;
-    if (inserter_.is_current(entry.simplex, entry.birth) && divide_for(entry.simplex)) has_inserted = true;
-  }
-  return has_inserted;
 }
 
 template <int Dim>
 bool Refiner<Dim>::divide_for(Simplex s) {
+  const double relaxed2 = inserter_.relaxed_length2(s);
   if (options_.insert == Insert::sink &&
-      visit_sinks(s, [this](Simplex sink) { return divide_for_center_of(sink); })) {
+      visit_sinks(s, [&](Simplex sink) { return divide_for_center_of(sink, relaxed2); })) {
     return true;
   }
-  return divide_for_center_of(s);
+  return divide_for_center_of(s, relaxed2);
 }
 
 // The sub-facets that the center encroaches, the deepest first.
 template <int Dim>
-bool Refiner<Dim>::divide_for_center_of(Simplex s) {
+bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
   if (inserter_.is_hopeless(s)) return false;
   Candidate<Dim> candidate;
   if (inserter_.make_candidate(s, candidate)) {
@@ -80,9 +69,15 @@ bool Refiner<Dim>::divide_for_center_of(Simplex s) {
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
       return a.depth2 != b.depth2 ? a.depth2 < b.depth2 : a.tie < b.tie;
     });
-    if (entries.empty() && !inserter_.is_rejected(s)) return insert_center_of(s);
+    if (entries.empty()) {
+      // Perhaps it was refused because of what has been divided since.
+      inserter_.reconsider(s);
+      return insert_center_of(s);
+    }
+    constexpr double kStrict2 = 0.7;
+    const double least2 = generous_ ? relaxed2 : kStrict2 * candidate.radius2;
     for (const Entry& entry : entries) {
-      if (!conformer_->split(entry.facet, candidate.radius2 / 2, candidate.radius2 / 4)) continue;
+      if (!conformer_->split(entry.facet, least2, least2)) continue;
       settle_boundary();
       return true;
     }

@@ -7,7 +7,7 @@
 namespace sinkmesh {
 
 template <int Dim>
-void Refiner<Dim>::run_incremental() {
+void Refiner<Dim>::run_incremental(bool divides_boundary) {
   constexpr std::size_t kInsertionsPerRound = 256;
   WorstFirstQueue queue;
   inserter_.on_low_quality = [&](Simplex s, double ratio2) {
@@ -26,7 +26,7 @@ void Refiner<Dim>::run_incremental() {
   for (bool retry = true; retry && !is_stopped();) {
     WorstFirstQueue::Entry entry;
     while (queue.pop(entry, is_current) && may_continue()) {
-      if (!insert_for(entry.simplex)) {
+      if (!insert_for(entry.simplex) && !(divides_boundary && divide_for(entry.simplex))) {
         stuck.push_back(entry);
       } else if (is_current(entry)) {
         queue.push(entry);
@@ -75,7 +75,7 @@ bool Refiner<Dim>::has_candidate(Simplex s) {
   return visit_sinks(s, [this](Simplex sink) { return !inserter_.is_rejected(sink); });
 }
 
-template void Refiner<2>::run_incremental();
-template void Refiner<3>::run_incremental();
+template void Refiner<2>::run_incremental(bool);
+template void Refiner<3>::run_incremental(bool);
 
 }  // namespace sinkmesh

@@ -96,7 +96,7 @@ void SteinerInserter<Dim>::add(Simplex s) {
   notes_[s.index()] = kLow;
   ++num_low_;
   low_.emplace_back(s, births_);
-  if (rules_.features != nullptr && shape.radius2 <= max_ratio2_ * relaxed_length2(s, shape.shortest2)) {
+  if (rules_.features != nullptr && shape.radius2 <= max_ratio2_ * relaxed_length2(s)) {
     notes_[s.index()] |= kExcused;
     return;
   }
@@ -118,10 +118,10 @@ void SteinerInserter<Dim>::for_each_shortest_edge(Simplex s, Visit&& visit) cons
 
 // The square of L [BR, 6].
 template <int Dim>
-double SteinerInserter<Dim>::relaxed_length2(Simplex s, double shortest2) const {
+double SteinerInserter<Dim>::relaxed_length2(Simplex s) const {
   // Below a ratio of 2 a point on a segment may be nearer than the edge is long.
   const double least = rules_.floor * std::max(1.0, 2 / std::sqrt(max_ratio2_));
-  double length2 = std::max(shortest2, least * least);
+  double length2 = std::max(shape<Dim>(complex().corners(s)).shortest2, least * least);
   for_each_shortest_edge(s, [&](Vertex p, Vertex q) {
     length2 = std::max(length2, rules_.features->vertex(std::max(p, q)).relaxed2);
     if (const auto rung = rules_.features->rung(p, q, rules_.lambda)) length2 = std::max(length2, rung->reach2);

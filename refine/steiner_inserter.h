@@ -95,6 +95,8 @@ class SteinerInserter {
   bool is_low_quality(Simplex s) const { return notes_[s.index()] & kLow; }
   /// Of low quality, but left alone, because a small angle of the surface is the reason.
   bool is_excused(Simplex s) const { return notes_[s.index()] & kExcused; }
+  /// The square of L: see the constructor.
+  double relaxed_length2(Simplex s) const;
   /// The rungs among the shortest edges of s: why it is excused. Empty if that is inherited.
   std::optional<Rung> rung(Simplex s) const;
   /// Whether the center of s has been refused. It is not tried again while s lives.
@@ -131,6 +133,11 @@ class SteinerInserter {
   std::vector<HalfFacet> encroached_walls(const Candidate<Dim>& candidate);
   /// Whether dividing the boundary for the center of s has been found to be of no use. Holds while s lives.
   bool is_hopeless(Simplex s) const { return notes_[s.index()] & kHopeless; }
+  /// Forgets that the center of s has been refused: the boundary has been divided.
+  void reconsider(Simplex s) { notes_[s.index()] &= (1U << kVerdictShift) - 1; }
+  void reconsider_all() {
+    for (std::uint8_t& notes : notes_) notes &= kLow | kExcused;
+  }
   void give_up(Simplex s) { notes_[s.index()] |= kHopeless; }
 
   // -- candidates
@@ -190,7 +197,6 @@ class SteinerInserter {
   Verdict locate(const Candidate<Dim>& candidate, Simplex& start);
   void commit(const Point<Dim>& x);
   void count_vertices();
-  double relaxed_length2(Simplex s, double shortest2) const;
   template <class Visit>
   void for_each_shortest_edge(Simplex s, Visit&& visit) const;
   bool is_separated(const Point<Dim>& x, Vertex v) const;

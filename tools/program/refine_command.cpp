@@ -54,13 +54,7 @@ class RefineRun {
     progress_.phase("triangulating");
     SurfaceMesher<Dim> mesher(surface);
     lap("delaunay");
-    std::optional<History> no_history;
-    RefineOptions ro = options(no_history);
-    if (getenv("BM")) ro.boundary.mode = atoi(getenv("BM")) ? BoundaryMode::refine : BoundaryMode::fixed;
-    if (getenv("SA")) ro.boundary.small_angle = atof(getenv("SA"));
-    const BoundaryResult boundary = mesher.find_domain(ro);
-    fprintf(stderr, "mode %s regions %zu patches %zu joined %zu segments %zu onseg %zu onpatch %zu unconformed %zu stop %d t %.3f\n", name(boundary.mode), boundary.regions, boundary.patches, boundary.joined_facets, boundary.segments, boundary.points_on_segments, boundary.points_on_patches, boundary.unconformed.size(), (int)boundary.stop, watch_.total());
-    if (!boundary.ok()) return ExitStatus::stopped_early;
+    const BoundaryResult boundary = mesher.find_domain();
     lap("domain");
     initial_ = mesher.statistics(arguments_.ratio);
     initial_vertices_ = mesher.num_vertices();
