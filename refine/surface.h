@@ -26,11 +26,11 @@ struct Surface {
 
   /// One per facet, or none at all. The pieces of a facet carry its tag; facets with different tags are never
   /// joined to one patch.
-  std::vector<std::int64_t> facet_tags;
+  std::vector<std::int64_t> facet_tags = {};
   /// If there is any hole or region, every bounded region is inside but those that hold one of `holes`; else
   /// parity decides (Domain).
-  std::vector<Point<Dim>> holes;
-  std::vector<RegionSeed> regions;
+  std::vector<Point<Dim>> holes = {};
+  std::vector<RegionSeed> regions = {};
 };
 using Surface2 = Surface<2>;
 using Surface3 = Surface<3>;
