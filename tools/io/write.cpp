@@ -171,6 +171,10 @@ template <int Dim>
 void write_surface(const std::string& path, const Surface<Dim>& surface, std::optional<Format> format) {
   const Format chosen = output_format(path, format, FileRole::surface_out, Dim);
   check_indices(surface.facets, surface.points.size(), "facet");
+  if (!surface.facet_tags.empty() && surface.facet_tags.size() != surface.facets.size()) {
+    throw InputError(
+        concat("the surface has ", surface.facet_tags.size(), " tags for ", surface.facets.size(), " facets"));
+  }
   io_detail::write_file(path, encode_surface(surface, chosen));
 }
 

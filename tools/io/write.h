@@ -39,7 +39,7 @@ void write_mesh(const std::string& path, const Mesh<Dim>& mesh, std::optional<Fo
 /// Writes a surface: OFF, OBJ, STL or PLY in space, Triangle's .poly in the plane. STL keeps neither ids nor
 /// points without facet, and its facet normals are all 0 0 0, "to be computed from the corners". Tags, holes and
 /// regions go to .poly only.
-/// @throws as write_mesh.
+/// @throws as write_mesh; InputError if there are tags, but not one per facet.
 template <int Dim>
 void write_surface(const std::string& path, const Surface<Dim>& surface,
                    std::optional<Format> format = std::nullopt);
