@@ -12,6 +12,15 @@ void require_valid(const RefineOptions& options) {
     throw InputError("max_ratio is " + std::to_string(options.max_ratio) +
                      ": it must be at least 1, or refinement need not end");
   }
+  const BoundaryOptions& boundary = options.boundary;
+  if (!(boundary.small_angle > 0 && boundary.small_angle <= 60)) {
+    throw InputError("boundary.small_angle is " + std::to_string(boundary.small_angle) +
+                     ": it must be above 0 and at most 60 degrees");
+  }
+  if (!(boundary.flat >= 0 && boundary.flat < 1)) {
+    throw InputError("boundary.flat is " + std::to_string(boundary.flat) +
+                     ": it must be at least 0 and below 1, a fraction of the diagonal");
+  }
   if (options.literal && options.schedule == Schedule::incremental) {
     throw InputError("literal rounds exist in the block and parallel schedules only");
   }
@@ -46,11 +55,65 @@ const char* name(Stop stop) {
 const char* name(BoundaryMode mode) {
   switch (mode) {
     case BoundaryMode::automatic:
-      return "automatic";
+      return "auto";
     case BoundaryMode::fixed:
       return "fixed";
     case BoundaryMode::refine:
       return "refine";
+  }
+  return "";
+}
+
+std::size_t Remaining::of(LeftoverReason reason) const {
+  switch (reason) {
+    case LeftoverReason::boundary_facet:
+      return boundary_facet;
+    case LeftoverReason::boundary:
+      return boundary;
+    case LeftoverReason::crossing:
+      return crossing;
+    case LeftoverReason::separation:
+      return separation;
+    case LeftoverReason::omega:
+      return omega;
+    case LeftoverReason::small_angle:
+      return small_angle;
+    case LeftoverReason::untried:
+      return untried;
+  }
+  return 0;
+}
+
+const char* name(LeftoverReason reason) {
+  switch (reason) {
+    case LeftoverReason::boundary_facet:
+      return "boundary_facet";
+    case LeftoverReason::boundary:
+      return "boundary";
+    case LeftoverReason::crossing:
+      return "crossing";
+    case LeftoverReason::separation:
+      return "separation";
+    case LeftoverReason::omega:
+      return "omega";
+    case LeftoverReason::small_angle:
+      return "small_angle";
+    case LeftoverReason::untried:
+      return "untried";
+  }
+  return "";
+}
+
+const char* name(BoundaryFeature::Kind kind) {
+  switch (kind) {
+    case BoundaryFeature::Kind::none:
+      return "none";
+    case BoundaryFeature::Kind::corner:
+      return "corner";
+    case BoundaryFeature::Kind::segment:
+      return "segment";
+    case BoundaryFeature::Kind::patch:
+      return "patch";
   }
   return "";
 }

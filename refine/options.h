@@ -121,17 +121,32 @@ struct Rejections {
   std::size_t dependent = 0;  ///< not independent of a point of the same round
 };
 
-/// Simplices of low quality that remain, each with one reason: the first in this order that applies.
+/// Why a simplex of low quality remains: the first in this order that applies.
+enum class LeftoverReason : std::uint8_t {
+  boundary_facet,  ///< has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it
+  boundary,        ///< a point for it was rejected for this reason ...
+  crossing,
+  separation,
+  omega,        ///< flows to the outside only
+  small_angle,  ///< short only because the surface has a small angle there: see Leftover
+  untried,      ///< the run ended before
+};
+inline constexpr std::array kLeftoverReasons = {LeftoverReason::boundary_facet, LeftoverReason::boundary,
+                                                LeftoverReason::crossing,       LeftoverReason::separation,
+                                                LeftoverReason::omega,          LeftoverReason::small_angle,
+                                                LeftoverReason::untried};
+
+/// Simplices of low quality that remain, by reason.
 struct Remaining {
-  /// Has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it.
   std::size_t boundary_facet = 0;
-  std::size_t boundary = 0;  ///< a point for it was rejected for this reason ...
+  std::size_t boundary = 0;
   std::size_t crossing = 0;
   std::size_t separation = 0;
-  std::size_t omega = 0;        ///< flows to the outside only
-  std::size_t small_angle = 0;  ///< short only because the surface has a small angle there: see Leftover
-  std::size_t untried = 0;      ///< the run ended before
+  std::size_t omega = 0;
+  std::size_t small_angle = 0;
+  std::size_t untried = 0;
 
+  std::size_t of(LeftoverReason reason) const;
   std::size_t total() const {
     return boundary_facet + boundary + crossing + separation + omega + small_angle + untried;
   }
@@ -148,15 +163,7 @@ struct BoundaryFeature {
 /// One simplex of low quality that remains, and why.
 template <int Dim>
 struct Leftover {
-  enum class Reason : std::uint8_t {
-    boundary_facet,
-    boundary,
-    crossing,
-    separation,
-    omega,
-    small_angle,
-    untried
-  };
+  using Reason = LeftoverReason;
   std::array<std::uint32_t, Dim + 1> corners{};  ///< points of the mesh
   double ratio = 0;
   Reason reason = Reason::untried;
@@ -166,6 +173,10 @@ struct Leftover {
   BoundaryFeature second;
   BoundaryFeature common;
 };
+
+/// As reports name them.
+const char* name(LeftoverReason reason);
+const char* name(BoundaryFeature::Kind kind);
 
 /// What became of the surface before any point was inserted for quality.
 struct BoundaryResult {
