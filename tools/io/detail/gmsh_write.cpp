@@ -39,18 +39,19 @@ class Entities {
   }
 
   std::size_t size() const { return tags_.size(); }
+  bool has_physical() const { return tags_.size() > 1 || (tags_.size() == 1 && tags_.front() != 0); }
 
   /// Rows of the section $Entities. What bounds an entity is left open, as Gmsh does for meshes without geometry.
   template <int Dim>
-  void append_rows(TextWriter& out, const Box<Dim>& box) const {
+  void append_rows(TextWriter& out, const Box<Dim>& box, bool with_physical) const {
     for (std::size_t entity = 1; entity <= tags_.size(); ++entity) {
       out << entity;
       for (const Point<Dim>& corner : {box.low, box.high}) {
         for (const double x : corner) out << ' ' << x;
         if (Dim == 2) out << " 0";
       }
-      if (const std::int64_t tag = tags_[entity - 1]; tag != 0) {
-        out << " 1 " << tag << " 0\n";
+      if (with_physical) {
+        out << " 1 " << tags_[entity - 1] << " 0\n";
       } else {
         out << " 0 0\n";
       }
@@ -112,8 +113,10 @@ std::string encode_msh41(const Mesh<Dim>& mesh) {
   out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n"
       << (Dim == 2 ? "0 " : "0 0 ") << of_facets.size() << ' ' << of_simplices.size()
       << (Dim == 2 ? " 0\n" : "\n");
-  of_facets.append_rows<Dim>(out, box);
-  of_simplices.append_rows<Dim>(out, box);
+  // Readers expect that all entities have a physical tag, or none has.
+  const bool with_physical = of_facets.has_physical() || of_simplices.has_physical();
+  of_facets.append_rows<Dim>(out, box, with_physical);
+  of_simplices.append_rows<Dim>(out, box, with_physical);
   out << "$EndEntities\n$Nodes\n1 " << points << " 1 " << points << '\n' << Dim << " 1 0 " << points << '\n';
   for (std::size_t i = 1; i <= points; ++i) out << i << '\n';
   for (const auto& p : mesh.points) append_coordinates<Dim>(out, p);
