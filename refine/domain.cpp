@@ -3,6 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/mix.h"
+#include "refine/cells.h"
 
 namespace sinkmesh {
 namespace {
@@ -71,58 +76,103 @@ std::vector<HalfFacet> Domain<Dim>::find(std::span<const Facet> facets) const {
 }
 
 template <int Dim>
-std::vector<std::size_t> Domain<Dim>::label_by_parity(std::span<const Facet> facets) {
-  const Complex<Dim>& complex = triangulation_->complex();
+std::vector<std::size_t> Domain<Dim>::label_facets(std::span<const Facet> facets, const Seeds<Dim>& seeds) {
   const std::vector<HalfFacet> found = find(facets);
   std::vector<std::size_t> missing;
-  for (std::size_t f = 0; f < found.size(); ++f) {
-    if (found[f].is_null()) missing.push_back(f);
-  }
-  if (!missing.empty()) return missing;
-
-  // Facets that occur twice cancel.
-  std::vector<std::uint8_t> crossed(complex.num_slots(), 0);
-  const auto flip = [&](HalfFacet h) {
-    std::uint8_t& bits = crossed[Complex<Dim>::simplex_of(h).index()];
-    bits = static_cast<std::uint8_t>(bits ^ 1U << Complex<Dim>::corner_of(h));
-  };
-  for (const HalfFacet h : found) {
-    flip(h);
-    flip(complex.mate(h));
-  }
-
-  constexpr std::uint8_t kUnknown = 2;
-  inside_.assign(complex.num_slots(), kUnknown);
-  std::vector<Simplex> stack;
-  for (const Simplex s : complex.simplices()) {
-    if (complex.is_ghost(s)) {
-      inside_[s.index()] = 0;
-      stack.push_back(s);
+  std::vector<Wall> walls;
+  for (std::uint32_t f = 0; f < found.size(); ++f) {
+    if (found[f].is_null()) {
+      missing.push_back(f);
+    } else {
+      walls.push_back({found[f], f});
     }
   }
-  bool contradiction = false;
-  while (!stack.empty()) {
-    const Simplex s = stack.back();
-    stack.pop_back();
-    for (int i = 0; i <= Dim; ++i) {
-      const Simplex t = complex.neighbor(s, i);
-      const auto label = static_cast<std::uint8_t>(inside_[s.index()] ^ (crossed[s.index()] >> i & 1));
-      if (inside_[t.index()] == kUnknown) {
-        inside_[t.index()] = label;
-        stack.push_back(t);
-      } else if (inside_[t.index()] != label) {
-        contradiction = true;
+  if (missing.empty()) label(facets, walls, seeds);
+  return missing;
+}
+
+template <int Dim>
+void Domain<Dim>::set_walls(std::span<const Wall> walls) {
+  const Complex<Dim>& complex = triangulation_->complex();
+  region_.assign(complex.num_slots(), kOutside);
+  walls_.assign(complex.num_slots(), 0);
+  for (const Wall& wall : walls) {
+    add_wall(wall.half_facet);
+    add_wall(complex.mate(wall.half_facet));
+  }
+}
+
+template <int Dim>
+void Domain<Dim>::label(std::span<const Facet> facets, std::span<const Wall> walls, const Seeds<Dim>& seeds) {
+  const Complex<Dim>& complex = triangulation_->complex();
+  set_walls(walls);
+  const Cells<Dim> cells(complex, *this);
+  const auto beside = [&](HalfFacet h) { return cells.of(Complex<Dim>::simplex_of(h)); };
+
+  std::vector<bool> inside(cells.size(), false);
+  std::vector<std::pair<std::uint32_t, std::int64_t>> tagged;
+  if (seeds.empty()) {
+    const SurfaceComponents<Dim> components(facets);
+    CellGraph graph(cells.size());
+    for (const Wall& wall : walls) {
+      graph.add(beside(wall.half_facet), beside(complex.mate(wall.half_facet)), components.of(wall.facet));
+    }
+    inside = graph.label(components.is_even());
+  } else {
+    std::fill(inside.begin() + 1, inside.end(), true);
+    const auto cell_at = [&](const Point<Dim>& p, const char* what) {
+      const bool is_near = triangulation_->gate().admits(p);
+      const std::uint32_t cell = is_near
+                                     ? cells.of(triangulation_->locate(triangulation_->gate().in(p)).simplex)
+                                     : Cells<Dim>::kUnbounded;
+      if (cell == Cells<Dim>::kUnbounded) {
+        throw InputError(std::string("a ") + what + " of the surface is not enclosed by it: remove or move it");
       }
+      return cell;
+    };
+    for (const auto& region : seeds.regions) tagged.emplace_back(cell_at(region.point, "region"), region.tag);
+    for (const Point<Dim>& hole : seeds.holes) inside[cell_at(hole, "hole")] = false;
+  }
+  if (std::find(inside.begin(), inside.end(), true) == inside.end()) {
+    throw InputError(
+        "the surface does not separate inside from outside: it is not closed, or all of it is holes");
+  }
+  number_regions(cells.all(), inside, tagged);
+}
+
+template <int Dim>
+void Domain<Dim>::number_regions(const std::vector<std::uint32_t>& cell, std::vector<bool> inside,
+                                 const std::vector<std::pair<std::uint32_t, std::int64_t>>& tagged) {
+  const Complex<Dim>& complex = triangulation_->complex();
+  // The least vertex; two regions that share it are told apart by the least sum of hashes of a simplex there.
+  struct Key {
+    Point<Dim> least;
+    std::uint64_t hash = 0;
+    auto operator<=>(const Key&) const = default;
+  };
+  std::vector<Key> key(inside.size());
+  for (Key& k : key) k.least.fill(HUGE_VAL);
+  for (const Simplex s : complex.simplices()) {
+    if (!inside[cell[s.index()]]) continue;
+    Key of_simplex{*complex.corners(s)[0], 0};
+    for (const Point<Dim>* p : complex.corners(s)) {
+      of_simplex.least = std::min(of_simplex.least, *p);
+      of_simplex.hash += hash_point<Dim>(*p);
     }
+    key[cell[s.index()]] = std::min(key[cell[s.index()]], of_simplex);
   }
-  for (std::uint8_t& label : inside_) {
-    if (label == kUnknown) label = 0;  // slots without a simplex
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t c = 0; c < inside.size(); ++c) {
+    if (inside[c]) order.push_back(c);
   }
-  if (contradiction) {
-    std::fill(inside_.begin(), inside_.end(), std::uint8_t{0});
-    throw InputError("the surface does not separate inside from outside: it is not closed");
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+  std::vector<Region> number(inside.size(), kOutside);
+  for (std::uint32_t i = 0; i < order.size(); ++i) number[order[i]] = i + 1;
+  tags_.assign(order.size(), 0);
+  for (const auto& [c, tag] : tagged) {
+    if (inside[c]) tags_[number[c] - 1] = tag;
   }
-  return {};
+  for (const Simplex s : complex.simplices()) region_[s.index()] = number[cell[s.index()]];
 }
 
 template <int Dim>
@@ -130,14 +180,19 @@ auto Domain<Dim>::peel(Flow<Dim>& flow) -> Peeled {
   const Complex<Dim>& complex = triangulation_->complex();
   Peeled peeled;
   std::vector<Simplex> stack;
+  std::vector<Simplex> taken;
   const auto peel_if_it_flows_out = [&](HalfFacet h) {
     const Simplex s = Complex<Dim>::simplex_of(h);
     if (!is_inside(s) || !flow.crosses(h)) return;
-    set_inside(s, false);
+    set_region(s, kOutside);
     ++peeled.simplices;
     stack.push_back(s);
+    taken.push_back(s);
   };
-  const std::vector<HalfFacet> boundary_before = boundary();
+  // Flow between two regions, or around a membrane, does not lead out.
+  std::vector<HalfFacet> boundary_before = boundary();
+  std::erase_if(boundary_before,
+                [&](HalfFacet h) { return is_inside(Complex<Dim>::simplex_of(complex.mate(h))); });
   for (const HalfFacet h : boundary_before) peel_if_it_flows_out(h);
   while (!stack.empty()) {
     const Simplex s = stack.back();
@@ -145,8 +200,21 @@ auto Domain<Dim>::peel(Flow<Dim>& flow) -> Peeled {
     for (int i = 0; i <= Dim; ++i) peel_if_it_flows_out(complex.mate(Complex<Dim>::half_facet(s, i)));
   }
   for (const HalfFacet h : boundary_before) peeled.facets += is_inside(Complex<Dim>::simplex_of(h)) ? 0 : 1;
+  for (const Simplex s : taken) {
+    for (int i = 0; i <= Dim; ++i) {
+      const HalfFacet h = Complex<Dim>::half_facet(s, i);
+      const bool is_border = is_inside(complex.neighbor(s, i));
+      for (const HalfFacet side : {h, complex.mate(h)}) is_border ? add_wall(side) : remove_wall(side);
+    }
+  }
   return peeled;
 }
+
+template <int Dim>
+Domain<Dim>::Domain(const Triangulation<Dim>& triangulation)
+    : triangulation_(&triangulation),
+      region_(triangulation.complex().num_slots(), kOutside),
+      walls_(triangulation.complex().num_slots(), 0) {}
 
 template <int Dim>
 std::vector<Simplex> Domain<Dim>::simplices() const {
@@ -159,11 +227,16 @@ std::vector<Simplex> Domain<Dim>::simplices() const {
 
 template <int Dim>
 std::vector<HalfFacet> Domain<Dim>::boundary() const {
+  const Complex<Dim>& complex = triangulation_->complex();
   std::vector<HalfFacet> result;
   for (const Simplex s : simplices()) {
     for (int i = 0; i <= Dim; ++i) {
       const HalfFacet h = Complex<Dim>::half_facet(s, i);
-      if (!is_inside(Complex<Dim>::simplex_of(triangulation_->complex().mate(h)))) result.push_back(h);
+      if (!is_wall(h)) continue;
+      const HalfFacet mate = complex.mate(h);
+      const Region beyond = region(Complex<Dim>::simplex_of(mate));
+      const bool is_first = beyond == region(s) ? h < mate : region(s) < beyond;
+      if (beyond == kOutside || is_first) result.push_back(h);
     }
   }
   return result;

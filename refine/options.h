@@ -94,8 +94,8 @@ struct RefineOptions {
   std::function<void(const Progress&)> observer = {};
 };
 
-/// @throws InputError if max_ratio is below 1 or not a number, if an option of the boundary is out of its range,
-///         or if `literal` is asked of the incremental schedule.
+/// @throws InputError if max_ratio is below 1 or not a number, if an option of the boundary is out of its
+///         range, or if `literal` is asked of the incremental schedule.
 void require_valid(const RefineOptions& options);
 
 /// Why a refinement ended.

@@ -63,12 +63,14 @@ template <int Dim>
 struct SurfaceMesher<Dim>::State {
   explicit State(const Surface<Dim>& surface)
       : surface_points(surface.points),
+        seeds(surface.seeds),
         used(surface),
         triangulation(used.points),
         domain(triangulation),
         flow(triangulation) {}
 
   std::vector<Point<Dim>> surface_points;
+  Seeds<Dim> seeds;
   UsedPoints<Dim> used;
   Triangulation<Dim> triangulation;
   Domain<Dim> domain;
@@ -90,7 +92,7 @@ SurfaceMesher<Dim>::~SurfaceMesher() = default;
 template <int Dim>
 BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
   require_valid(options);
-  const std::vector<std::size_t> missing = state_->domain.label_by_parity(state_->used.facets);
+  const std::vector<std::size_t> missing = state_->domain.label_facets(state_->used.facets, state_->seeds);
   if (!missing.empty()) {
     throw InputError(
         std::to_string(missing.size()) + " of " + count_of(state_->used.facets.size(), "facet", "facets") +

@@ -86,9 +86,8 @@ Remaining Refiner<Dim>::classify_remaining() {
     bool on_low_facet = false;
     for (int i = 0; i <= Dim; ++i) {
       const HalfFacet h = Complex<Dim>::half_facet(s, i);
-      on_low_facet =
-          on_low_facet || (!inserter_.domain().is_inside(Complex<Dim>::simplex_of(complex.mate(h))) &&
-                           !(facet_shape<Dim>(complex.facet_corners(h)).ratio2() <= max_ratio2));
+      on_low_facet = on_low_facet || (inserter_.domain().is_wall(h) &&
+                                      !(facet_shape<Dim>(complex.facet_corners(h)).ratio2() <= max_ratio2));
     }
     std::size_t sinks = 0;
     std::array<bool, 5> met{};

@@ -176,15 +176,15 @@ void SteinerInserter<Dim>::commit(const Point<Dim>& x) {
   for (std::size_t i = 0; i < cavity_.num_simplices(); ++i) {
     const Simplex s = cavity_.simplex(i);
     num_low_ -= is_low_quality(s) ? 1 : 0;
-    domain_->set_inside(s, false);
   }
+  const typename Domain<Dim>::Region region = domain_->region(cavity_.simplex(0));
   num_simplices_ -= cavity_.num_simplices();
   triangulation_->substitute_star(cavity_, x);
   ++num_vertices_;
   ++num_inserted_;
+  domain_->inherit(cavity_, region);
   for (std::size_t i = 0; i < cavity_.num_facets(); ++i) {
     const Simplex s = cavity_.star(i);
-    domain_->set_inside(s, true);
     flow_->forget(s);
     add(s);
   }

@@ -188,8 +188,7 @@ class SteinerInserter<Dim>::Guide {
   bool enter(HalfFacet entry) { return meet(inserter_->complex().apex(entry)); }
 
   Passage cross(HalfFacet inner, HalfFacet outer) {
-    const Simplex beyond = Complex<Dim>::simplex_of(outer);
-    if (inserter_->domain_->is_inside(beyond)) [[likely]] {
+    if (!inserter_->domain_->is_wall(inner)) [[likely]] {
       return Passage::pass;
     }
     const Complex<Dim>& complex = inserter_->complex();
@@ -200,7 +199,7 @@ class SteinerInserter<Dim>::Guide {
     }
     // Goes on after a crossing: a boundary facet met later may hold x in its diametral sphere, which is the
     // reason that is reported, whatever the order of the search.
-    crossed_ = crossed_ || in_conflict(complex, predicates, beyond, *x_);
+    crossed_ = crossed_ || in_conflict(complex, predicates, Complex<Dim>::simplex_of(outer), *x_);
     return Passage::wall;
   }
 

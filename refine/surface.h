@@ -10,16 +10,23 @@
 
 namespace sinkmesh {
 
+/// Points that say what the parts of space are which a surface encloses.
+template <int Dim>
+struct Seeds {
+  struct Region {
+    Point<Dim> point;
+    std::int64_t tag = 0;
+  };
+  std::vector<Point<Dim>> holes;
+  std::vector<Region> regions;
+
+  bool empty() const { return holes.empty() && regions.empty(); }
+};
+
 /// Facets over an indexed set of points. Units and ids are the user's.
 template <int Dim>
 struct Surface {
   using Facet = std::array<std::uint32_t, Dim>;
-
-  /// A point that stands for the region which holds it.
-  struct RegionSeed {
-    Point<Dim> point;
-    std::int64_t tag = 0;
-  };
 
   std::vector<Point<Dim>> points;
   std::vector<Facet> facets;
@@ -27,10 +34,8 @@ struct Surface {
   /// One per facet, or none at all. The pieces of a facet carry its tag; facets with different tags are never
   /// joined to one patch.
   std::vector<std::int64_t> facet_tags = {};
-  /// If there is any hole or region, every bounded region is inside but those that hold one of `holes`; else
-  /// parity decides (Domain).
-  std::vector<Point<Dim>> holes = {};
-  std::vector<RegionSeed> regions = {};
+  /// If there are any, every bounded region is inside but those that hold a hole; else parity decides (Domain).
+  Seeds<Dim> seeds = {};
 };
 using Surface2 = Surface<2>;
 using Surface3 = Surface<3>;

@@ -293,17 +293,17 @@ TEST(TetgenDialects, MarkersHolesAndRegionsOfAPolygon) {
   const Surface2 marked =
       read_surface<2>(folder.write("a.poly", nodes + "3 1\n1 1 2 5\n2 2 3 -1\n3 3 1 5\n" + rest));
   EXPECT_EQ(marked.facet_tags, (std::vector<std::int64_t>{5, -1, 5}));
-  EXPECT_EQ(marked.holes, (std::vector<Point2>{{0.2, 0.2}}));
-  ASSERT_EQ(marked.regions.size(), 2U);
-  EXPECT_EQ(marked.regions[0].point, (Point2{0.1, 0.3}));
-  EXPECT_EQ(marked.regions[0].tag, -4);
-  EXPECT_EQ(marked.regions[1].point, (Point2{0.5, 0.25}));
-  EXPECT_EQ(marked.regions[1].tag, 1000);
+  EXPECT_EQ(marked.seeds.holes, (std::vector<Point2>{{0.2, 0.2}}));
+  ASSERT_EQ(marked.seeds.regions.size(), 2U);
+  EXPECT_EQ(marked.seeds.regions[0].point, (Point2{0.1, 0.3}));
+  EXPECT_EQ(marked.seeds.regions[0].tag, -4);
+  EXPECT_EQ(marked.seeds.regions[1].point, (Point2{0.5, 0.25}));
+  EXPECT_EQ(marked.seeds.regions[1].tag, 1000);
   const Surface2 plain = read_surface<2>(folder.write("b.poly", nodes + "3\n1 1 2\n2 2 3\n3 3 1\n0\n"));
   EXPECT_EQ(plain.facets, marked.facets);
   EXPECT_TRUE(plain.facet_tags.empty());
-  EXPECT_TRUE(plain.holes.empty());
-  EXPECT_TRUE(plain.regions.empty());
+  EXPECT_TRUE(plain.seeds.holes.empty());
+  EXPECT_TRUE(plain.seeds.regions.empty());
 }
 
 // Facets beside the simplices in any order; a field that only they have is none of the simplices.

@@ -292,19 +292,19 @@ TEST(SurfaceRoundTrip, KeepsTagsHolesAndRegionsInThePlane) {
   for (std::size_t i = 0; i < surface.facets.size(); ++i) {
     surface.facet_tags.push_back(static_cast<std::int64_t>(i % 5) - 2);
   }
-  surface.holes = awkward_points<2>(7);
+  surface.seeds.holes = awkward_points<2>(7);
   for (const Point2& p : awkward_points<2>(9)) {
-    surface.regions.push_back({p, static_cast<std::int64_t>(surface.regions.size()) - 4});
+    surface.seeds.regions.push_back({p, static_cast<std::int64_t>(surface.seeds.regions.size()) - 4});
   }
   write_surface(folder.path("a.poly"), surface);
   const Surface2 found = read_surface<2>(folder.path("a.poly"));
   EXPECT_EQ(surface.facets, found.facets);
   EXPECT_EQ(surface.facet_tags, found.facet_tags);
-  expect_same_bits<2>(surface.holes, found.holes);
-  ASSERT_EQ(surface.regions.size(), found.regions.size());
-  for (std::size_t i = 0; i < surface.regions.size(); ++i) {
-    expect_same_bits<2>({surface.regions[i].point}, {found.regions[i].point});
-    EXPECT_EQ(surface.regions[i].tag, found.regions[i].tag);
+  expect_same_bits<2>(surface.seeds.holes, found.seeds.holes);
+  ASSERT_EQ(surface.seeds.regions.size(), found.seeds.regions.size());
+  for (std::size_t i = 0; i < surface.seeds.regions.size(); ++i) {
+    expect_same_bits<2>({surface.seeds.regions[i].point}, {found.seeds.regions[i].point});
+    EXPECT_EQ(surface.seeds.regions[i].tag, found.seeds.regions[i].tag);
   }
   surface.facet_tags.pop_back();
   EXPECT_THROW(write_surface(folder.path("a.poly"), surface), InputError);

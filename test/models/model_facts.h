@@ -63,7 +63,7 @@ ModelFacts<Dim> facts_of(const Surface<Dim>& surface) {
   for (const auto& facet : surface.facets) {
     for (std::size_t k = 0; auto& vertex : facets.emplace_back()) vertex = Vertex(facet[k++]);
   }
-  facts.missing_facets = domain.label_by_parity(facets).size();
+  facts.missing_facets = domain.label_facets(facets).size();
   if (facts.missing_facets != 0) return facts;
   for (const Simplex s : domain.simplices()) {
     facts.quality.template add<Dim>(triangulation.complex().corners(s));

@@ -42,7 +42,7 @@ double six_volumes(const Triangulation3& triangulation, const Domain<3>& domain)
 // The triangles that the triangulation chose on the sides of boxes, since those of a box surface may be the
 // others.
 Surface3 with_delaunay_sides(Surface3 surface, const Triangulation3& triangulation) {
-  const std::vector<std::size_t> missing = Domain<3>(triangulation).label_by_parity(facets_of(surface));
+  const std::vector<std::size_t> missing = Domain<3>(triangulation).label_facets(facets_of(surface));
   for (std::size_t side = 0; side < surface.facets.size(); side += 2) {
     if (std::none_of(missing.begin(), missing.end(), [&](std::size_t f) { return f / 2 == side / 2; }))
       continue;
@@ -73,7 +73,7 @@ TEST(Domain, NestedBoxesAlternateBetweenInsideAndOutside) {
     const Triangulation3 triangulation(surface.points);
     surface = with_delaunay_sides(surface, triangulation);
     Domain<3> domain(triangulation);
-    ASSERT_TRUE(domain.label_by_parity(facets_of(surface)).empty());
+    ASSERT_TRUE(domain.label_facets(facets_of(surface)).empty());
     EXPECT_EQ(six_volumes(triangulation, domain), 6 * (1000 - 216 + 8));
     EXPECT_EQ(domain.boundary().size(), surface.facets.size());
   }
@@ -83,7 +83,7 @@ TEST(Domain, BoundaryIsTheSurfaceFacetForFacet) {
   const Surface3 surface = ellipsoid_surface(3, {1, 1.1, 0.9}, 1e-3);
   const Triangulation3 triangulation(surface.points);
   Domain<3> domain(triangulation);
-  ASSERT_TRUE(domain.label_by_parity(facets_of(surface)).empty());
+  ASSERT_TRUE(domain.label_facets(facets_of(surface)).empty());
   std::vector<std::array<std::uint32_t, 3>> expected;
   std::vector<std::array<std::uint32_t, 3>> actual;
   for (auto facet : surface.facets) {
@@ -109,7 +109,7 @@ TEST(Domain, MissingFacetsAreReportedAndNothingIsLabelled) {
   surface.facets[5] = {0, 3, 5};
   surface.facets[7] = {1, 2, 4};
   Domain<3> domain(triangulation);
-  EXPECT_EQ(domain.label_by_parity(facets_of(surface)), (std::vector<std::size_t>{5, 7}));
+  EXPECT_EQ(domain.label_facets(facets_of(surface)), (std::vector<std::size_t>{5, 7}));
   EXPECT_TRUE(domain.simplices().empty());
 }
 
@@ -118,7 +118,7 @@ TEST(Domain, OpenSurfaceIsRefused) {
   const Triangulation3 triangulation(surface.points);
   surface.facets.pop_back();
   Domain<3> domain(triangulation);
-  EXPECT_THROW((void)domain.label_by_parity(facets_of(surface)), InputError);
+  EXPECT_THROW((void)domain.label_facets(facets_of(surface)), InputError);
   EXPECT_TRUE(domain.simplices().empty());
 }
 
@@ -136,8 +136,14 @@ TEST(Domain, PeelingLeavesTheMaximalStableSubcomplex) {
     std::vector<bool> expected(complex.num_slots(), false);
     for (const Simplex s : complex.simplices()) {
       if (complex.is_ghost(s)) continue;
-      domain.set_inside(s, true);
+      domain.set_region(s, 1);
       expected[s.index()] = true;
+      for (int i = 0; i < 4; ++i) {
+        if (!complex.is_ghost(complex.neighbor(s, i))) continue;
+        const HalfFacet h = Complex<3>::half_facet(s, i);
+        domain.add_wall(h);
+        domain.add_wall(complex.mate(h));
+      }
     }
     bool changed = true;
     while (changed) {

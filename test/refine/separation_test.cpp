@@ -184,7 +184,7 @@ TYPED_TEST(SeparationTest, HoldsAfterEveryScheduleAndBoundsTheNumberOfVertices) 
           for (std::size_t f = 0; f < facets.size(); ++f) {
             for (std::size_t k = 0; k < kDim; ++k) facets[f][k] = Vertex(surface.facets[f][k]);
           }
-          ASSERT_TRUE(domain.label_by_parity(facets).empty());
+          ASSERT_TRUE(domain.label_facets(facets).empty());
           domain.peel(flow);
           ASSERT_FALSE(domain.simplices().empty());
           const double delta = std::sqrt(delta2.get_d());

@@ -34,7 +34,7 @@ class Bench {
       for (std::uint32_t i = 0; i < n; ++i) facets.push_back({Vertex(first + i), Vertex(first + (i + 1) % n)});
       first += n;
     }
-    EXPECT_TRUE(domain_.label_by_parity(facets).empty());
+    EXPECT_TRUE(domain_.label_facets(facets).empty());
     inserter_.emplace(triangulation_, domain_, flow_, 1.0);
     inserter_->measure_all();
   }

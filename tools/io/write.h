@@ -13,8 +13,8 @@
 
 namespace sinkmesh {
 
-/// Writes a mesh: points and simplices; the boundary to .mesh, .msh and .face, and, if it has fields, to .vtu and
-/// .vtk. Fields:
+/// Writes a mesh: points and simplices; the boundary to .mesh, .msh and .face, and, if it has fields, to .vtu
+/// and .vtk. Fields:
 ///   .vtu .vtk  all, as cell data: simplices and then facets, -1 where a field has no value; fields of the same
 ///              name are one
 ///   .ele       all of simplices, as attributes
@@ -30,15 +30,15 @@ namespace sinkmesh {
 /// @param path    "-" is standard output.
 /// @param format  default: by the suffix.
 /// @throws FileError if the file cannot be written: unknown suffix, no such folder, full disk, closed pipe.
-/// @throws InputError if a field's length is not the number of simplices or facets, an index is out of range, or
-///         a reference, marker or physical tag does not fit 32 bits, or an attribute is beyond the whole numbers
-///         that doubles hold.
+/// @throws InputError if a field's length is not the number of simplices or facets, an index is out of range,
+///         or a reference, marker or physical tag does not fit 32 bits, or an attribute is beyond the whole
+///         numbers that doubles hold.
 template <int Dim>
 void write_mesh(const std::string& path, const Mesh<Dim>& mesh, std::optional<Format> format = std::nullopt);
 
 /// Writes a surface: OFF, OBJ, STL or PLY in space, Triangle's .poly in the plane. STL keeps neither ids nor
-/// points without facet, and its facet normals are all 0 0 0, "to be computed from the corners". Tags, holes and
-/// regions go to .poly only.
+/// points without facet, and its facet normals are all 0 0 0, "to be computed from the corners". Tags, holes
+/// and regions go to .poly only.
 /// @throws as write_mesh; InputError if there are tags, but not one per facet.
 template <int Dim>
 void write_surface(const std::string& path, const Surface<Dim>& surface,

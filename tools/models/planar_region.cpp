@@ -40,7 +40,7 @@ class RegionMesher {
         segments.push_back({Vertex(first + i), Vertex(first + (i + 1) % n)});
       first += n;
     }
-    if (!domain_.label_by_parity(segments).empty()) {
+    if (!domain_.label_facets(segments).empty()) {
       throw std::logic_error("an outline has segments that are not Delaunay");
     }
     for (const Simplex s : domain_.simplices()) enqueue(s);
@@ -99,8 +99,8 @@ class RegionMesher {
     const RegionMesher& mesher;
     const Point2& p;
 
-    Passage cross(HalfFacet, HalfFacet outer) const {
-      if (mesher.domain_.is_inside(Complex<2>::simplex_of(outer))) return Passage::pass;
+    Passage cross(HalfFacet inner, HalfFacet outer) const {
+      if (!mesher.domain_.is_wall(inner)) return Passage::pass;
       const auto [a, b] = mesher.complex().facet_corners(outer);
       const Point2 middle{((*a)[0] + (*b)[0]) / 2, ((*a)[1] + (*b)[1]) / 2};
       const double clearance2 = kMargin * kMargin * squared_distance(middle, *a);
@@ -114,10 +114,8 @@ class RegionMesher {
     triangulation_.announce(p);
     if (!triangulation_.grow_prestar(cavity_, p, c.triangle, Guide{{}, *this, p})) return false;
     triangulation_.substitute_star(cavity_, p);
-    for (std::size_t i = 0; i < cavity_.num_facets(); ++i) {
-      domain_.set_inside(cavity_.star(i), true);
-      enqueue(cavity_.star(i));
-    }
+    domain_.inherit(cavity_, 1);
+    for (std::size_t i = 0; i < cavity_.num_facets(); ++i) enqueue(cavity_.star(i));
     return true;
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Gmsh's .msh in text, versions 4.1 and 2.2. One field becomes the physical tag (see references.h); tags belong to
-// entities, so there is one entity per value. Element tags count the facets first, then the simplices in order,
-// which is how a reader recovers the order.
+// Gmsh's .msh in text, versions 4.1 and 2.2. One field becomes the physical tag (see references.h); tags
+// belong to entities, so there is one entity per value. Element tags count the facets first, then the
+// simplices in order, which is how a reader recovers the order.
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -41,7 +41,8 @@ class Entities {
   std::size_t size() const { return tags_.size(); }
   bool has_physical() const { return tags_.size() > 1 || (tags_.size() == 1 && tags_.front() != 0); }
 
-  /// Rows of the section $Entities. What bounds an entity is left open, as Gmsh does for meshes without geometry.
+  /// Rows of the section $Entities. What bounds an entity is left open, as Gmsh does for meshes without
+  /// geometry.
   template <int Dim>
   void append_rows(TextWriter& out, const Box<Dim>& box, bool with_physical) const {
     for (std::size_t entity = 1; entity <= tags_.size(); ++entity) {

@@ -201,7 +201,7 @@ void read_holes(TextReader& text, Surface2& surface) {
   const std::int64_t first_row = read_first_number(text, rows);
   for (std::size_t i = 0; i < rows; ++i) {
     read_row_number(text, first_row, i);
-    surface.holes.push_back(read_seed(text));
+    surface.seeds.holes.push_back(read_seed(text));
     end_row(text);
   }
 }
@@ -220,7 +220,7 @@ void read_regions(TextReader& text, Surface2& surface) {
       text.fail(concat("the attribute of this region is ", printable(word),
                        ": it becomes the tag of the region, which is a whole number; number the regions"));
     }
-    surface.regions.push_back({p, static_cast<std::int64_t>(attribute)});
+    surface.seeds.regions.push_back({p, static_cast<std::int64_t>(attribute)});
     if (!text.at_line_end()) read_number(text, "the largest area in a region");
     end_row(text);
   }
@@ -294,11 +294,11 @@ std::string encode_poly(const Surface2& surface) {
     if (has_markers) out << ' ' << surface.facet_tags[i];
     out << '\n';
   }
-  out << surface.holes.size() << '\n';
-  for (std::size_t i = 0; i < surface.holes.size(); ++i) (out << i << ' ').row(surface.holes[i]);
-  if (!surface.regions.empty()) out << surface.regions.size() << '\n';
-  for (std::size_t i = 0; i < surface.regions.size(); ++i) {
-    (out << i << ' ').row(surface.regions[i].point, ' ') << surface.regions[i].tag << '\n';
+  out << surface.seeds.holes.size() << '\n';
+  for (std::size_t i = 0; i < surface.seeds.holes.size(); ++i) (out << i << ' ').row(surface.seeds.holes[i]);
+  if (!surface.seeds.regions.empty()) out << surface.seeds.regions.size() << '\n';
+  for (std::size_t i = 0; i < surface.seeds.regions.size(); ++i) {
+    (out << i << ' ').row(surface.seeds.regions[i].point, ' ') << surface.seeds.regions[i].tag << '\n';
   }
   return out.take();
 }

@@ -66,9 +66,9 @@ inline bool has_value(const std::vector<std::int64_t>& values) {
   return std::any_of(values.begin(), values.end(), [](std::int64_t value) { return value != kVtkNoValue; });
 }
 
-/// Sorts the cells into simplices and boundary facets, and the values of each field with them. A field belongs to
-/// the facets if one of them has a value, and to the simplices if one of them has, or no facet. Cells of lower
-/// dimension (points and edges in space) are passed over.
+/// Sorts the cells into simplices and boundary facets, and the values of each field with them. A field belongs
+/// to the facets if one of them has a value, and to the simplices if one of them has, or no facet. Cells of
+/// lower dimension (points and edges in space) are passed over.
 /// @param fail  called with a message; must throw.
 template <int Dim, class Fail>
 void collect_vtk_cells(const VtkCells& cells, const std::vector<VtkField>& fields, Mesh<Dim>& mesh, Fail fail) {
