@@ -97,15 +97,14 @@ class MeshRoundTrip : public ::testing::TestWithParam<MeshFormat> {
   Mesh<Dim> with_facet_fields() const {
     Mesh<Dim> mesh = with_field<Dim>("tag");
     mesh.simplex_fields.push_back({"region", std::vector<std::int64_t>(mesh.simplices.size(), 1)});
-    auto& parent = mesh.boundary_fields.emplace_back();
-    auto& tag = mesh.boundary_fields.emplace_back();
-    parent.name = "parent";
-    tag.name = "tag";
+    typename Mesh<Dim>::Field parent{"parent", {}};
+    typename Mesh<Dim>::Field tag{"tag", {}};
     for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
       parent.values.push_back(static_cast<std::int64_t>(i / 2));
       tag.values.push_back(i == 7 ? std::numeric_limits<std::int32_t>::max()
                                   : static_cast<std::int64_t>(i * i % 5) - 2);
     }
+    mesh.boundary_fields = {parent, tag};
     return mesh;
   }
 

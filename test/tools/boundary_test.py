@@ -35,7 +35,7 @@ def turned(surface):
 
 
 def box(low, high, cells=(1, 1, 1)):
-    """Outward; every side a grid of rectangles, all cut the same way."""
+    """Outward; every side a grid of rectangles, cut alike on opposite sides."""
     ids, points, facets = {}, [], []
 
     def vertex(index):
@@ -53,8 +53,8 @@ def box(low, high, cells=(1, 1, 1)):
                     index = [0, 0, 0]
                     index[axis], index[u], index[v] = side, i + di, j + dj
                     corners.append(vertex(tuple(index)))
-                a, b, c, d = corners if side else corners[::-1]
-                facets += [(a, b, c), (a, c, d)]
+                a, b, c, d = corners
+                facets += [(a, b, c), (a, c, d)] if side else [(a, c, b), (a, d, c)]
     return points, facets
 
 
