@@ -79,16 +79,20 @@ template <int Dim>
 std::vector<std::size_t> Domain<Dim>::label_facets(std::span<const Facet> facets, const Seeds<Dim>& seeds) {
   const std::vector<HalfFacet> found = find(facets);
   std::vector<std::size_t> missing;
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    if (found[f].is_null()) missing.push_back(f);
+  }
+  if (missing.empty()) label(facets, walls_at(found), seeds);
+  return missing;
+}
+
+template <int Dim>
+auto Domain<Dim>::walls_at(std::span<const HalfFacet> found) -> std::vector<Wall> {
   std::vector<Wall> walls;
   for (std::uint32_t f = 0; f < found.size(); ++f) {
-    if (found[f].is_null()) {
-      missing.push_back(f);
-    } else {
-      walls.push_back({found[f], f});
-    }
+    if (!found[f].is_null()) walls.push_back({found[f], f});
   }
-  if (missing.empty()) label(facets, walls, seeds);
-  return missing;
+  return walls;
 }
 
 template <int Dim>

@@ -55,6 +55,12 @@ class Domain {
   [[nodiscard]] std::vector<std::size_t> label_facets(std::span<const Facet> facets,
                                                       const Seeds<Dim>& seeds = {});
 
+  /// One half-facet of the triangulation for each facet, or null. Linear in the complex.
+  std::vector<HalfFacet> find(std::span<const Facet> facets) const;
+
+  /// One wall for each facet that is not null.
+  static std::vector<Wall> walls_at(std::span<const HalfFacet> found);
+
   struct Peeled {
     std::size_t simplices = 0;  ///< taken away
     std::size_t facets = 0;     ///< facets of the boundary that no longer are
@@ -121,7 +127,6 @@ class Domain {
       walls_.resize(region_.size(), 0);
     }
   }
-  std::vector<HalfFacet> find(std::span<const Facet> facets) const;
   void set_walls(std::span<const Wall> walls);
   void number_regions(const std::vector<std::uint32_t>& cell, std::vector<bool> inside,
                       const std::vector<std::pair<std::uint32_t, std::int64_t>>& tagged);

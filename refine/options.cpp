@@ -12,19 +12,40 @@ void require_valid(const RefineOptions& options) {
     throw InputError("max_ratio is " + std::to_string(options.max_ratio) +
                      ": it must be at least 1, or refinement need not end");
   }
-  const BoundaryOptions& boundary = options.boundary;
-  if (!(boundary.small_angle > 0 && boundary.small_angle <= 60)) {
-    throw InputError("boundary.small_angle is " + std::to_string(boundary.small_angle) +
+  if (!(options.boundary.small_angle > 0 && options.boundary.small_angle <= 60)) {
+    throw InputError("small_angle is " + std::to_string(options.boundary.small_angle) +
                      ": it must be above 0 and at most 60 degrees");
   }
-  if (!(boundary.flat >= 0 && boundary.flat < 1)) {
-    throw InputError("boundary.flat is " + std::to_string(boundary.flat) +
-                     ": it must be at least 0 and below 1, a fraction of the diagonal");
+  if (!(options.boundary.flat >= 0 && options.boundary.flat < 1)) {
+    throw InputError("flat is " + std::to_string(options.boundary.flat) +
+                     ": it must be at least 0 and below 1, a fraction of the diagonal of the bounding box");
   }
   if (options.literal && options.schedule == Schedule::incremental) {
     throw InputError("literal rounds exist in the block and parallel schedules only");
   }
 }
+
+std::size_t& Remaining::count(LeftoverReason reason) {
+  switch (reason) {
+    case LeftoverReason::small_angle:
+      return small_angle;
+    case LeftoverReason::boundary_facet:
+      return boundary_facet;
+    case LeftoverReason::boundary:
+      return boundary;
+    case LeftoverReason::crossing:
+      return crossing;
+    case LeftoverReason::separation:
+      return separation;
+    case LeftoverReason::omega:
+      return omega;
+    case LeftoverReason::untried:
+      break;
+  }
+  return untried;
+}
+
+std::size_t Remaining::count(LeftoverReason reason) const { return Remaining(*this).count(reason); }
 
 const char* name(Insert insert) { return insert == Insert::sink ? "sink" : "circumcenter"; }
 
@@ -62,26 +83,6 @@ const char* name(BoundaryMode mode) {
       return "refine";
   }
   return "";
-}
-
-std::size_t Remaining::of(LeftoverReason reason) const {
-  switch (reason) {
-    case LeftoverReason::boundary_facet:
-      return boundary_facet;
-    case LeftoverReason::boundary:
-      return boundary;
-    case LeftoverReason::crossing:
-      return crossing;
-    case LeftoverReason::separation:
-      return separation;
-    case LeftoverReason::omega:
-      return omega;
-    case LeftoverReason::small_angle:
-      return small_angle;
-    case LeftoverReason::untried:
-      return untried;
-  }
-  return 0;
 }
 
 const char* name(LeftoverReason reason) {

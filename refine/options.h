@@ -121,22 +121,22 @@ struct Rejections {
   std::size_t dependent = 0;  ///< not independent of a point of the same round
 };
 
-/// Why a simplex of low quality remains: the first in this order that applies.
+/// Why a simplex of low quality remains, in the order in which reasons are looked for.
 enum class LeftoverReason : std::uint8_t {
+  small_angle,     ///< short only because the surface has a small angle there: see Leftover
   boundary_facet,  ///< has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it
+  untried,         ///< the run ended before
   boundary,        ///< a point for it was rejected for this reason ...
   crossing,
   separation,
-  omega,        ///< flows to the outside only
-  small_angle,  ///< short only because the surface has a small angle there: see Leftover
-  untried,      ///< the run ended before
+  omega,  ///< flows to the outside only
 };
-inline constexpr std::array kLeftoverReasons = {LeftoverReason::boundary_facet, LeftoverReason::boundary,
-                                                LeftoverReason::crossing,       LeftoverReason::separation,
-                                                LeftoverReason::omega,          LeftoverReason::small_angle,
-                                                LeftoverReason::untried};
+inline constexpr std::array kLeftoverReasons = {LeftoverReason::small_angle, LeftoverReason::boundary_facet,
+                                                LeftoverReason::untried,     LeftoverReason::boundary,
+                                                LeftoverReason::crossing,    LeftoverReason::separation,
+                                                LeftoverReason::omega};
 
-/// Simplices of low quality that remain, by reason.
+/// Simplices of low quality that remain, each with one reason: the first in this order that applies.
 struct Remaining {
   std::size_t boundary_facet = 0;
   std::size_t boundary = 0;
@@ -146,10 +146,11 @@ struct Remaining {
   std::size_t small_angle = 0;
   std::size_t untried = 0;
 
-  std::size_t of(LeftoverReason reason) const;
   std::size_t total() const {
     return boundary_facet + boundary + crossing + separation + omega + small_angle + untried;
   }
+  std::size_t count(LeftoverReason reason) const;
+  std::size_t& count(LeftoverReason reason);
 };
 
 /// A part of the boundary, as the user knows it.

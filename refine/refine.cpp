@@ -2,11 +2,19 @@
 #include "refine/refine.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
 #include <string>
 
 #include "core/mix.h"
+#include "refine/boundary.h"
+#include "refine/budget.h"
+#include "refine/conformer.h"
 #include "refine/refiner.h"
 #include "refine/surface_check.h"
+#include "refine/vector.h"
 
 namespace sinkmesh {
 namespace {
@@ -53,6 +61,14 @@ std::array<std::uint32_t, Dim> facet_ids(const Complex<Dim>& complex, HalfFacet 
   return ids;
 }
 
+std::string not_conformed(const BoundaryResult& boundary) {
+  if (boundary.unconformed.empty()) return "the surface was not conformed within the limits that were set";
+  return std::to_string(boundary.unconformed.size()) +
+         " facets of the surface could not be made Delaunay (the first "
+         "is facet " +
+         std::to_string(boundary.unconformed.front()) + "): angles or distances there are too small";
+}
+
 std::string count_of(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
@@ -63,18 +79,30 @@ template <int Dim>
 struct SurfaceMesher<Dim>::State {
   explicit State(const Surface<Dim>& surface)
       : surface_points(surface.points),
+        facet_tags(surface.facet_tags),
         seeds(surface.seeds),
         used(surface),
         triangulation(used.points),
         domain(triangulation),
         flow(triangulation) {}
 
+  BoundaryResult find_fixed();
+  BoundaryResult conform(std::span<const HalfFacet> found, const RefineOptions& options);
+  bool is_stable();
+  std::uint32_t parent_of(HalfFacet wall) const;
+
   std::vector<Point<Dim>> surface_points;
+  std::vector<std::int64_t> facet_tags;
   Seeds<Dim> seeds;
   UsedPoints<Dim> used;
   Triangulation<Dim> triangulation;
   Domain<Dim> domain;
   Flow<Dim> flow;
+  // If the boundary is divided:
+  std::optional<Boundary<Dim>> boundary;
+  std::optional<Conformer<Dim>> conformer;
+  BoundaryRules<Dim> rules;
+  std::vector<Leftover<Dim>> leftovers;
 };
 
 template <int Dim>
@@ -90,39 +118,136 @@ template <int Dim>
 SurfaceMesher<Dim>::~SurfaceMesher() = default;
 
 template <int Dim>
-BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
-  require_valid(options);
-  const std::vector<std::size_t> missing = state_->domain.label_facets(state_->used.facets, state_->seeds);
-  if (!missing.empty()) {
-    throw InputError(
-        std::to_string(missing.size()) + " of " + count_of(state_->used.facets.size(), "facet", "facets") +
-        " of the surface are not in the Delaunay triangulation of its vertices (the first is facet " +
-        std::to_string(missing.front()) +
-        "): divide them into smaller ones; where four vertices are on a circle, as on grids, take the other "
-        "diagonal; and repair self-intersections, which show like this, too");
+bool SurfaceMesher<Dim>::State::is_stable() {
+  const Complex<Dim>& complex = triangulation.complex();
+  for (const HalfFacet h : domain.boundary()) {
+    for (const HalfFacet side : {h, complex.mate(h)}) {
+      if (domain.is_inside(Complex<Dim>::simplex_of(side)) && flow.crosses(side)) return false;
+    }
   }
-  const typename Domain<Dim>::Peeled peeled = state_->domain.peel(state_->flow);
-  if (state_->domain.simplices().empty()) {
+  return true;
+}
+
+template <int Dim>
+BoundaryResult SurfaceMesher<Dim>::State::find_fixed() {
+  const typename Domain<Dim>::Peeled peeled = domain.peel(flow);
+  if (domain.simplices().empty()) {
     throw InputError("nothing stable is inside the surface: the flow leads out of it from everywhere (" +
                      std::to_string(peeled.simplices) + " of " +
                      count_of(peeled.simplices, "simplex", "simplices") +
-                     "); divide its facets into smaller ones");
+                     "); let the boundary be refined, or divide its facets into smaller ones");
   }
   BoundaryResult result;
-  result.regions = 1;
+  result.regions = domain.num_regions();
   result.peeled_simplices = peeled.simplices;
   result.peeled_facets = peeled.facets;
   return result;
 }
 
 template <int Dim>
+BoundaryResult SurfaceMesher<Dim>::State::conform(std::span<const HalfFacet> found,
+                                                  const RefineOptions& options) {
+  constexpr double kFloor = 0x1p-30;  // of the diagonal
+  const Box<Dim>& box = triangulation.gate().box();
+  const double diagonal = std::sqrt(squared_distance(box.low, box.high));
+  domain = Domain<Dim>(triangulation);
+  boundary.emplace(triangulation, domain, used.facets, found, facet_tags, options.boundary.flat * diagonal);
+  rules = {&boundary->features(), 2 * std::sin(options.boundary.small_angle * (std::numbers::pi / 360)),
+           kFloor * diagonal};
+  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor);
+
+  BoundaryResult result;
+  result.mode = BoundaryMode::refine;
+  result.patches = boundary->features().patches().size();
+  result.joined_facets = Dim == 3 ? used.facets.size() - result.patches : 0;
+  result.segments = boundary->features().segments().size();
+  Budget budget(options);
+  conformer->start();
+  conformer->conform([&] {
+    return budget.may_continue(triangulation.complex().num_vertices(), triangulation.complex().bytes());
+  });
+  result.stop = budget.stop();
+  result.points_on_segments = conformer->points_on_segments();
+  result.points_on_patches = conformer->points_on_patches();
+  for (const SubFacet f : conformer->unconformed()) {
+    result.unconformed.push_back(boundary->sub_facets()[f].parent);
+  }
+  std::sort(result.unconformed.begin(), result.unconformed.end());
+  result.unconformed.erase(std::unique(result.unconformed.begin(), result.unconformed.end()),
+                           result.unconformed.end());
+  if (!result.ok()) return result;
+  domain.label(used.facets, boundary->walls(), seeds);
+  conformer->remember_regions();
+  result.regions = domain.num_regions();
+  return result;
+}
+
+template <int Dim>
+BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
+  require_valid(options);
+  State& state = *state_;
+  const BoundaryMode mode = options.boundary.mode;
+  const std::vector<HalfFacet> found = state.domain.find(state.used.facets);
+  const auto missing = static_cast<std::size_t>(std::count(found.begin(), found.end(), HalfFacet()));
+  if (mode == BoundaryMode::fixed && missing != 0) {
+    throw InputError(
+        std::to_string(missing) + " of " + count_of(state.used.facets.size(), "facet", "facets") +
+        " of the surface are not in the Delaunay triangulation of its vertices (the first is facet " +
+        std::to_string(std::find(found.begin(), found.end(), HalfFacet()) - found.begin()) +
+        "): let the boundary be refined, or divide them into smaller ones");
+  }
+  if (mode != BoundaryMode::refine && missing == 0) {
+    state.domain.label(state.used.facets, Domain<Dim>::walls_at(found), state.seeds);
+    if (mode == BoundaryMode::fixed || state.is_stable()) return state.find_fixed();
+  }
+  return state.conform(found, options);
+}
+
+template <int Dim>
 RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
-  return Refiner<Dim>(state_->triangulation, state_->domain, state_->flow, options).run();
+  State& state = *state_;
+  if (!state.conformer) {
+    Refiner<Dim> refiner(state.triangulation, state.domain, state.flow, options);
+    const RefineResult result = refiner.run();
+    state.leftovers = refiner.leftovers();
+    return result;
+  }
+  Refiner<Dim> refiner(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer,
+                       state.rules, options);
+  const RefineResult result = refiner.run();
+  state.leftovers = refiner.leftovers();
+  return result;
+}
+
+template <int Dim>
+std::uint32_t SurfaceMesher<Dim>::State::parent_of(HalfFacet wall) const {
+  return boundary->sub_facets()[boundary->at(wall)].parent;
 }
 
 template <int Dim>
 std::vector<Leftover<Dim>> SurfaceMesher<Dim>::leftovers() const {
-  return {};
+  const std::vector<std::uint32_t> ids = mesh_ids();
+  std::vector<Leftover<Dim>> result = state_->leftovers;
+  for (Leftover<Dim>& leftover : result) {
+    for (std::uint32_t& v : leftover.corners) v = ids[v];
+    for (BoundaryFeature* feature : {&leftover.first, &leftover.second, &leftover.common}) {
+      using Kind = BoundaryFeature::Kind;
+      if (feature->kind != Kind::corner && feature->kind != Kind::segment) continue;
+      for (std::uint32_t& v : feature->ids) v = ids[v];
+    }
+  }
+  return result;
+}
+
+// Ids of the complex to ids of the mesh: input points keep theirs, Steiner points follow all of them.
+template <int Dim>
+std::vector<std::uint32_t> SurfaceMesher<Dim>::mesh_ids() const {
+  std::vector<std::uint32_t> ids = state_->used.input_id;
+  const std::size_t used = ids.size();
+  ids.resize(state_->triangulation.complex().num_vertices());
+  std::iota(ids.begin() + static_cast<std::ptrdiff_t>(used), ids.end(),
+            static_cast<std::uint32_t>(state_->surface_points.size()));
+  return ids;
 }
 
 template <int Dim>
@@ -157,12 +282,10 @@ std::uint64_t SurfaceMesher<Dim>::hash() const {
 template <int Dim>
 Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
   const Complex<Dim>& complex = state_->triangulation.complex();
-  // Ids of the complex to ids of the mesh: input points keep theirs, Steiner points follow all of them.
-  std::vector<std::uint32_t> id = state_->used.input_id;
+  const std::vector<std::uint32_t> id = mesh_ids();
   Mesh<Dim> mesh;
   mesh.points = state_->surface_points;
-  for (auto v = static_cast<std::uint32_t>(id.size()); v < complex.num_vertices(); ++v) {
-    id.push_back(static_cast<std::uint32_t>(mesh.points.size()));
+  for (auto v = static_cast<std::uint32_t>(state_->used.input_id.size()); v < complex.num_vertices(); ++v) {
     mesh.points.push_back(state_->triangulation.point(Vertex(v)));
   }
   for (const Simplex s : state_->domain.simplices()) {
@@ -210,13 +333,14 @@ Mesh<Dim> hull_mesh(const Triangulation<Dim>& triangulation) {
 template <int Dim>
 Mesh<Dim> refine(const Surface<Dim>& surface, const RefineOptions& options) {
   require_valid(options);
-  for (const SurfaceDefect& defect : check_surface(surface)) {
+  for (const SurfaceDefect& defect : check_surface(surface, SurfaceChecks::without_intersections)) {
     if (severity(defect.kind) == SurfaceSeverity::error) {
       throw InputError(defect.message + ": " + std::string(advice(defect.kind)));
     }
   }
   SurfaceMesher<Dim> mesher(surface);
-  mesher.find_domain();
+  const BoundaryResult boundary = mesher.find_domain(options);
+  if (!boundary.ok()) throw InputError(not_conformed(boundary));
   mesher.refine(options);
   return mesher.mesh();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "refine/refiner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -11,22 +12,53 @@ namespace sinkmesh {
 template <int Dim>
 Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
                       const RefineOptions& options)
-    : options_(options), flow_(&flow), inserter_(triangulation, domain, flow, options.max_ratio) {
+    : options_(options),
+      budget_(options_),
+      flow_(&flow),
+      inserter_(triangulation, domain, flow, options.max_ratio) {
   require_valid(options);
 }
 
 template <int Dim>
+Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
+                      Boundary<Dim>& boundary, Conformer<Dim>& conformer, const BoundaryRules<Dim>& rules,
+                      const RefineOptions& options)
+    : options_(options),
+      budget_(options_),
+      flow_(&flow),
+      boundary_(&boundary),
+      conformer_(&conformer),
+      inserter_(triangulation, domain, flow, options.max_ratio, rules),
+      on_segments_before_(conformer.points_on_segments()),
+      on_patches_before_(conformer.points_on_patches()) {
+  require_valid(options);
+  conformer.on_removal = [this](Simplex s) { inserter_.remove(s); };
+}
+
+// Boundary last: interior points alone do most of the work, and what they leave is all that the boundary has to be
+// divided for.
+template <int Dim>
 RefineResult Refiner<Dim>::run() {
-  if (options_.schedule == Schedule::incremental) {
-    run_incremental();
-  } else {
-    run_rounds();
-  }
+  inserter_.measure_all();
+  do {
+    if (options_.schedule == Schedule::incremental) {
+      run_incremental();
+    } else {
+      run_rounds();
+    }
+  } while (conformer_ != nullptr && !is_stopped() && (divide_for_quality() || bring_centers_inside()));
+  result_.stop = budget_.stop();
   result_.prestars = inserter_.num_prestars();
   result_.inserted = inserter_.num_inserted();
   result_.rejected = inserter_.rejections();
   result_.rejected.dependent += dependent_;
-  result_.remaining = classify_remaining();
+  classify_remaining();
+  if (conformer_ != nullptr) {
+    result_.points_on_segments = conformer_->points_on_segments() - on_segments_before_;
+    result_.points_on_patches = conformer_->points_on_patches() - on_patches_before_;
+    result_.inserted += result_.points_on_segments + result_.points_on_patches;
+    conformer_->on_removal = nullptr;
+  }
   result_.separation =
       std::ldexp(std::sqrt(inserter_.separation2()), -inserter_.triangulation().gate().exponent());
   return result_;
@@ -34,23 +66,7 @@ RefineResult Refiner<Dim>::run() {
 
 template <int Dim>
 bool Refiner<Dim>::may_continue() {
-  constexpr std::size_t kPollEvery = 128;
-  if (stopped_) return false;
-  if (inserter_.num_vertices() >= options_.max_vertices) {
-    result_.stop = Stop::budget;
-    stopped_ = true;
-  } else if (until_poll_-- == 0) {
-    until_poll_ = kPollEvery;
-    const Continue answer = options_.should_continue ? options_.should_continue() : Continue::yes;
-    if (inserter_.complex().bytes() >= options_.max_bytes || answer == Continue::budget_spent) {
-      result_.stop = Stop::budget;
-      stopped_ = true;
-    } else if (answer == Continue::cancelled) {
-      result_.stop = Stop::cancelled;
-      stopped_ = true;
-    }
-  }
-  return !stopped_;
+  return budget_.may_continue(inserter_.num_vertices(), inserter_.complex().bytes());
 }
 
 template <int Dim>
@@ -78,42 +94,58 @@ void Refiner<Dim>::end_round() {
 }
 
 template <int Dim>
-Remaining Refiner<Dim>::classify_remaining() {
-  Remaining remaining;
+typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s) {
+  using Reason = typename Leftover<Dim>::Reason;
+  if (inserter_.is_excused(s)) return Reason::small_angle;
   const double max_ratio2 = options_.max_ratio * options_.max_ratio;
-  const Complex<Dim>& complex = inserter_.complex();
-  for (const Simplex s : inserter_.low_quality()) {
-    bool on_low_facet = false;
-    for (int i = 0; i <= Dim; ++i) {
-      const HalfFacet h = Complex<Dim>::half_facet(s, i);
-      on_low_facet = on_low_facet || (inserter_.domain().is_wall(h) &&
-                                      !(facet_shape<Dim>(complex.facet_corners(h)).ratio2() <= max_ratio2));
-    }
-    std::size_t sinks = 0;
-    std::array<bool, 5> met{};
-    const auto meet = [&](Simplex center) {
-      ++sinks;
-      met[static_cast<std::size_t>(inserter_.rejection(center))] = true;
-      return false;
-    };
-    if (options_.insert == Insert::sink) visit_sinks(s, meet);
-    if (options_.insert == Insert::circumcenter || options_.fallback == Fallback::circumcenter) meet(s);
-    const auto rejected = [&](Verdict verdict) { return met[static_cast<std::size_t>(verdict)]; };
-    if (on_low_facet) {
-      ++remaining.boundary_facet;
-    } else if (rejected(Verdict::inserted)) {
-      ++remaining.untried;
-    } else if (rejected(Verdict::boundary)) {
-      ++remaining.boundary;
-    } else if (rejected(Verdict::crossing)) {
-      ++remaining.crossing;
-    } else if (rejected(Verdict::separation)) {
-      ++remaining.separation;
-    } else {
-      ++remaining.omega;
+  for (int i = 0; i <= Dim; ++i) {
+    const HalfFacet h = Complex<Dim>::half_facet(s, i);
+    if (inserter_.domain().is_wall(h) &&
+        !(facet_shape<Dim>(inserter_.complex().facet_corners(h)).ratio2() <= max_ratio2)) {
+      return Reason::boundary_facet;
     }
   }
-  return remaining;
+  std::array<bool, 5> met{};
+  const auto meet = [&](Simplex center) {
+    met[static_cast<std::size_t>(inserter_.rejection(center))] = true;
+    return false;
+  };
+  if (options_.insert == Insert::sink) visit_sinks(s, meet);
+  if (options_.insert == Insert::circumcenter || options_.fallback == Fallback::circumcenter) meet(s);
+  const auto rejected = [&](Verdict verdict) { return met[static_cast<std::size_t>(verdict)]; };
+  if (rejected(Verdict::inserted)) return Reason::untried;
+  if (rejected(Verdict::boundary)) return Reason::boundary;
+  if (rejected(Verdict::crossing)) return Reason::crossing;
+  if (rejected(Verdict::separation)) return Reason::separation;
+  return Reason::omega;
+}
+
+template <int Dim>
+void Refiner<Dim>::classify_remaining() {
+  const Complex<Dim>& complex = inserter_.complex();
+  std::vector<std::pair<std::uint64_t, Leftover<Dim>>> found;
+  for (const Simplex s : inserter_.low_quality()) {
+    Leftover<Dim> leftover;
+    for (int i = 0; i <= Dim; ++i) leftover.corners[static_cast<std::size_t>(i)] = complex.corner(s, i).index();
+    leftover.ratio = std::sqrt(shape<Dim>(complex.corners(s)).ratio2());
+    leftover.reason = reason_for(s);
+    if (leftover.reason == LeftoverReason::small_angle) {
+      if (const auto rung = inserter_.rung(s)) {
+        leftover.first = boundary_->describe(rung->first);
+        leftover.second = boundary_->describe(rung->second);
+        leftover.common = boundary_->describe(rung->common);
+      }
+    }
+    found.emplace_back(inserter_.tie(s), leftover);
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return a.second.ratio != b.second.ratio ? a.second.ratio > b.second.ratio : a.first < b.first;
+  });
+  leftovers_.clear();
+  for (const auto& [tie, leftover] : found) {
+    leftovers_.push_back(leftover);
+    ++result_.remaining.count(leftover.reason);
+  }
 }
 
 template class Refiner<2>;

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "refine/boundary.h"
+#include "refine/budget.h"
+#include "refine/conformer.h"
 #include "refine/options.h"
 #include "refine/sink_walk.h"
 #include "refine/steiner_inserter.h"
@@ -28,12 +31,27 @@ class Refiner {
   ///         schedule, or if the input is at the resolution of doubles (SteinerInserter).
   Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
           const RefineOptions& options);
+  /// With a boundary that is divided, too [BR, 6]: first as above; then, where that left a simplex, the sub-facets
+  /// that its points encroach are divided; and so on. At the end all circumcenters are inside, and no simplex has
+  /// all its vertices on one patch. Requires a conforming surface.
+  Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, Boundary<Dim>& boundary,
+          Conformer<Dim>& conformer, const BoundaryRules<Dim>& rules, const RefineOptions& options);
 
   RefineResult run();
+  /// After run(): the simplices of low quality that remain, the worst ratio first. Corners and features are those
+  /// of the complex.
+  const std::vector<Leftover<Dim>>& leftovers() const { return leftovers_; }
 
  private:
   void run_incremental();
   void run_rounds();
+  // The boundary: each returns whether it has inserted a point.
+  bool divide_for_quality();
+  bool divide_for(Simplex s);
+  bool divide_for_center_of(Simplex s);
+  bool bring_centers_inside();
+  HalfFacet wall_before_center(Simplex s);
+  void settle_boundary();
 
   // Incremental: tries the points for one simplex, one after the other, until one is inserted.
   bool insert_for(Simplex s);
@@ -55,19 +73,25 @@ class Refiner {
   void take(Vertex v);
 
   bool may_continue();
+  bool is_stopped() const { return budget_.stop() != Stop::no_candidate; }
   void begin_round();
   void end_round();
-  Remaining classify_remaining();
+  void classify_remaining();
+  typename Leftover<Dim>::Reason reason_for(Simplex s);
 
   RefineOptions options_;
+  Budget budget_;
   Flow<Dim>* flow_;
+  Boundary<Dim>* boundary_ = nullptr;  // null: fixed
+  Conformer<Dim>* conformer_ = nullptr;
   SteinerInserter<Dim> inserter_;
+  std::vector<Leftover<Dim>> leftovers_;
   RefineResult result_;
   Progress round_;
   std::size_t dependent_ = 0;  // found so before a search
-  std::size_t until_poll_ = 0;
   std::size_t inserted_before_round_ = 0;
-  bool stopped_ = false;
+  std::size_t on_segments_before_ = 0;
+  std::size_t on_patches_before_ = 0;
 
   std::vector<std::size_t> taken_;  // by vertex slot: the last round in which a star took it
   SinkWalk<Dim> sink_walk_;

@@ -13,14 +13,17 @@ void Refiner<Dim>::run_incremental() {
   inserter_.on_low_quality = [&](Simplex s, double ratio2) {
     queue.push({ratio2, inserter_.tie(s), s, inserter_.birth(s)});
   };
-  inserter_.measure_all();
+  for (const Simplex s : inserter_.low_quality()) {
+    if (!inserter_.is_excused(s))
+      inserter_.on_low_quality(s, shape<Dim>(inserter_.complex().corners(s)).ratio2());
+  }
   const auto is_current = [&](const WorstFirstQueue::Entry& e) {
     return inserter_.is_current(e.simplex, e.birth);
   };
 
   std::vector<WorstFirstQueue::Entry> stuck;
   begin_round();
-  for (bool retry = true; retry && !stopped_;) {
+  for (bool retry = true; retry && !is_stopped();) {
     WorstFirstQueue::Entry entry;
     while (queue.pop(entry, is_current) && may_continue()) {
       if (!insert_for(entry.simplex)) {

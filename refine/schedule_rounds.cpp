@@ -20,9 +20,8 @@ typename SphereSet<Dim>::Sphere sphere_of(const Candidate<Dim>& candidate) {
 // has changed: there is no candidate left, unless the fallback has some.
 template <int Dim>
 void Refiner<Dim>::run_rounds() {
-  inserter_.measure_all();
   bool own_centers = options_.insert == Insert::circumcenter;
-  while (!stopped_) {
+  while (!is_stopped()) {
     const std::vector<Candidate<Dim>> candidates = collect(own_centers);
     if (!candidates.empty()) {
       if (!may_continue()) return;
@@ -50,7 +49,8 @@ void Refiner<Dim>::run_rounds() {
 // those that have the same center. By decreasing radius.
 template <int Dim>
 std::vector<Candidate<Dim>> Refiner<Dim>::collect(bool own_centers) {
-  const std::vector<Simplex>& low = inserter_.low_quality();
+  std::vector<Simplex> low = inserter_.low_quality();
+  std::erase_if(low, [this](Simplex s) { return inserter_.is_excused(s); });
   const std::vector<Simplex> simplices = own_centers ? low : flow_->sinks_reached(low);
   std::vector<Candidate<Dim>> candidates;
   for (const Simplex s : simplices) {

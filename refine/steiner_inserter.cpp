@@ -8,6 +8,7 @@
 
 #include "core/mix.h"
 #include "predicates/circumcenter.h"
+#include "predicates/constructions.h"
 #include "predicates/predicates.h"
 #include "refine/quality.h"
 #include "refine/vector.h"
@@ -47,9 +48,26 @@ SteinerInserter<Dim>::SteinerInserter(Triangulation<Dim>& triangulation, Domain<
         " times the largest coordinate apart: the input is at the resolution of doubles; move it to the "
         "origin, or merge vertices");
   }
+  count_vertices();
+}
+
+template <int Dim>
+SteinerInserter<Dim>::SteinerInserter(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
+                                      double max_ratio, const BoundaryRules<Dim>& rules)
+    : triangulation_(&triangulation),
+      domain_(&domain),
+      flow_(&flow),
+      max_ratio2_(max_ratio * max_ratio),
+      separation2_(rules.floor * rules.floor),
+      rules_(rules) {
+  count_vertices();
+}
+
+template <int Dim>
+void SteinerInserter<Dim>::count_vertices() {
   std::vector<bool> used(complex().num_vertices(), false);
   for (const Simplex s : complex().simplices()) {
-    if (!domain.is_inside(s)) continue;
+    if (!domain_->is_inside(s)) continue;
     for (int i = 0; i <= Dim; ++i) used[complex().corner(s, i).index()] = true;
   }
   num_vertices_ = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
@@ -72,12 +90,52 @@ void SteinerInserter<Dim>::add(Simplex s) {
   birth_[s.index()] = ++births_;
   notes_[s.index()] = 0;
   ++num_simplices_;
-  const double ratio2 = shape<Dim>(complex().corners(s)).ratio2();
+  const Shape shape = sinkmesh::shape<Dim>(complex().corners(s));
+  const double ratio2 = shape.ratio2();
   if (ratio2 <= max_ratio2_) return;
   notes_[s.index()] = kLow;
   ++num_low_;
   low_.emplace_back(s, births_);
+  if (rules_.features != nullptr && shape.radius2 <= max_ratio2_ * relaxed_length2(s, shape.shortest2)) {
+    notes_[s.index()] |= kExcused;
+    return;
+  }
   if (on_low_quality) on_low_quality(s, ratio2);
+}
+
+template <int Dim>
+template <class Visit>
+void SteinerInserter<Dim>::for_each_shortest_edge(Simplex s, Visit&& visit) const {
+  const double shortest2 = shape<Dim>(complex().corners(s)).shortest2;
+  for (int i = 0; i <= Dim; ++i) {
+    for (int j = 0; j < i; ++j) {
+      const Vertex p = complex().corner(s, i);
+      const Vertex q = complex().corner(s, j);
+      if (squared_distance(complex().point(p), complex().point(q)) <= shortest2) visit(p, q);
+    }
+  }
+}
+
+// The square of L [BR, 6].
+template <int Dim>
+double SteinerInserter<Dim>::relaxed_length2(Simplex s, double shortest2) const {
+  // Below a ratio of 2 a point on a segment may be nearer than the edge is long.
+  const double least = rules_.floor * std::max(1.0, 2 / std::sqrt(max_ratio2_));
+  double length2 = std::max(shortest2, least * least);
+  for_each_shortest_edge(s, [&](Vertex p, Vertex q) {
+    length2 = std::max(length2, rules_.features->vertex(std::max(p, q)).relaxed2);
+    if (const auto rung = rules_.features->rung(p, q, rules_.lambda)) length2 = std::max(length2, rung->reach2);
+  });
+  return length2;
+}
+
+template <int Dim>
+std::optional<Rung> SteinerInserter<Dim>::rung(Simplex s) const {
+  std::optional<Rung> result;
+  for_each_shortest_edge(s, [&](Vertex p, Vertex q) {
+    if (!result) result = rules_.features->rung(p, q, rules_.lambda);
+  });
+  return result;
 }
 
 template <int Dim>
@@ -86,6 +144,29 @@ const std::vector<Simplex>& SteinerInserter<Dim>::low_quality() {
   low_alive_.clear();
   for (const auto& [simplex, birth] : low_) low_alive_.push_back(simplex);
   return low_alive_;
+}
+
+template <int Dim>
+std::vector<HalfFacet> SteinerInserter<Dim>::encroached_walls(const Candidate<Dim>& candidate) {
+  struct Collector : FreeGuide {
+    const SteinerInserter* inserter;
+    const Point<Dim>* x;
+    std::vector<HalfFacet>* found;
+
+    Passage cross(HalfFacet inner, HalfFacet) const {
+      if (!inserter->domain_->is_wall(inner)) return Passage::pass;
+      const FacetCorners<Dim> corners = inserter->complex().facet_corners(inner);
+      if (inserter->triangulation_->predicates().diametral_side(corners, *x) <= 0) found->push_back(inner);
+      return Passage::wall;
+    }
+  };
+  std::vector<HalfFacet> walls;
+  if (!is_strictly_inside(complex().corners(candidate.simplex), candidate.center)) return walls;
+  triangulation_->announce(candidate.center);
+  triangulation_->grow_prestar(cavity_, candidate.center, candidate.simplex,
+                               Collector{{}, this, &candidate.center, &walls});
+  triangulation_->release(cavity_);
+  return walls;
 }
 
 template <int Dim>
@@ -107,6 +188,21 @@ bool SteinerInserter<Dim>::make_candidate(Simplex s, Candidate<Dim>& candidate) 
   if (circumcenter(corners, candidate.center)) return true;
   refuse(candidate, Verdict::crossing);
   return false;
+}
+
+template <int Dim>
+Point<Dim> SteinerInserter<Dim>::center_or_direction(Simplex s) {
+  Point<Dim> center;
+  if (!circumcenter(complex().corners(s), center)) {
+    const Point<Dim>& from = complex().point(complex().corner(s, 0));
+    center = vector_to_circumcenter<Dim>(complex().corners(s), from);
+    double reach = 0;
+    for (const double x : center) reach = std::max(reach, std::abs(x));
+    // Coordinates are below 2; one of them ends between 2 and 4.
+    for (std::size_t k = 0; k < Dim; ++k) center[k] = from[k] + center[k] * (4 / reach);
+  }
+  triangulation_->announce(center);
+  return center;
 }
 
 template <int Dim>
@@ -165,20 +261,17 @@ Verdict SteinerInserter<Dim>::refuse(const Candidate<Dim>& candidate, Verdict ve
       return verdict;
   }
   if (is_current(candidate.simplex, candidate.birth)) {
+    constexpr unsigned kOthers = (1U << kVerdictShift) - 1;
     std::uint8_t& notes = notes_[candidate.simplex.index()];
-    notes = static_cast<std::uint8_t>((notes & kLow) | static_cast<unsigned>(verdict) << kVerdictShift);
+    notes = static_cast<std::uint8_t>((notes & kOthers) | static_cast<unsigned>(verdict) << kVerdictShift);
   }
   return verdict;
 }
 
 template <int Dim>
 void SteinerInserter<Dim>::commit(const Point<Dim>& x) {
-  for (std::size_t i = 0; i < cavity_.num_simplices(); ++i) {
-    const Simplex s = cavity_.simplex(i);
-    num_low_ -= is_low_quality(s) ? 1 : 0;
-  }
+  for (std::size_t i = 0; i < cavity_.num_simplices(); ++i) remove(cavity_.simplex(i));
   const typename Domain<Dim>::Region region = domain_->region(cavity_.simplex(0));
-  num_simplices_ -= cavity_.num_simplices();
   triangulation_->substitute_star(cavity_, x);
   ++num_vertices_;
   ++num_inserted_;

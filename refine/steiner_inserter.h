@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "core/triangulation.h"
+#include "refine/boundary_features.h"
 #include "refine/domain.h"
 #include "refine/flow.h"
 #include "refine/options.h"
@@ -30,6 +32,14 @@ struct Candidate {
 
 /// What became of a candidate.
 enum class Verdict : std::uint8_t { inserted, boundary, crossing, separation, dependent };
+
+/// How the angles of a surface excuse short edges [BR, 6].
+template <int Dim>
+struct BoundaryRules {
+  const BoundaryFeatures<Dim>* features = nullptr;
+  double lambda = 0;  ///< see BoundaryFeatures::rung()
+  double floor = 0;   ///< no edge counts as shorter; gated
+};
 
 /// Keeps the triangulation, the domain, the flow and the list of simplices of low quality together while points
 /// are inserted; knows nothing of schedules.
@@ -60,6 +70,11 @@ class SteinerInserter {
   /// @throws InputError if delta is below 2^-40 of the largest coordinate: the input is at the resolution of
   /// doubles.
   SteinerInserter(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, double max_ratio);
+  /// For a surface that is divided as well. A simplex is then worked on only if r > max_ratio L: L is the length
+  /// of its shortest edge, or more, if that edge is short because of a small angle of the surface. delta is the
+  /// floor: whatever is inserted for quality is farther than that from all vertices [BR, 9].
+  SteinerInserter(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, double max_ratio,
+                  const BoundaryRules<Dim>& rules);
 
   /// Finds the simplices of low quality. Call it once, after on_low_quality is set.
   void measure_all();
@@ -78,10 +93,14 @@ class SteinerInserter {
   double separation2() const { return separation2_; }
 
   bool is_low_quality(Simplex s) const { return notes_[s.index()] & kLow; }
+  /// Of low quality, but left alone, because a small angle of the surface is the reason.
+  bool is_excused(Simplex s) const { return notes_[s.index()] & kExcused; }
+  /// The rungs among the shortest edges of s: why it is excused. Empty if that is inherited.
+  std::optional<Rung> rung(Simplex s) const;
   /// Whether the center of s has been refused. It is not tried again while s lives.
   bool is_rejected(Simplex s) const { return rejection(s) != Verdict::inserted; }
   /// The reason, or `inserted` for none.
-  Verdict rejection(Simplex s) const { return static_cast<Verdict>(notes_[s.index()] >> kVerdictShift); }
+  Verdict rejection(Simplex s) const { return static_cast<Verdict>(notes_[s.index()] >> kVerdictShift & 7); }
   /// A number that no two simplices in the same slot share (but for a wrap after 2^32 simplices, which can
   /// change the order of work, and nothing else).
   std::uint32_t birth(Simplex s) const { return birth_[s.index()]; }
@@ -95,10 +114,33 @@ class SteinerInserter {
   /// Called for each simplex of low quality when it is born; may be empty.
   std::function<void(Simplex, double ratio2)> on_low_quality;
 
+  // -- boundary points, which someone else inserts
+
+  /// An inside simplex is about to be replaced.
+  void remove(Simplex s) {
+    num_low_ -= is_low_quality(s) ? 1 : 0;
+    --num_simplices_;
+    birth_[s.index()] = ++births_;  // what takes its slot may be outside, and is not added then
+    notes_[s.index()] = 0;
+  }
+  /// A new simplex, inside.
+  void add(Simplex s);
+  void count_vertex() { ++num_vertices_; }
+  /// The walls in the closure of the prestar of a candidate whose diametral spheres hold it.
+  /// Requires that its simplex lives.
+  std::vector<HalfFacet> encroached_walls(const Candidate<Dim>& candidate);
+  /// Whether dividing the boundary for the center of s has been found to be of no use. Holds while s lives.
+  bool is_hopeless(Simplex s) const { return notes_[s.index()] & kHopeless; }
+  void give_up(Simplex s) { notes_[s.index()] |= kHopeless; }
+
   // -- candidates
 
   /// @return false, and the center of s is rejected, if it is too far away to be a Steiner point.
   bool make_candidate(Simplex s, Candidate<Dim>& candidate);
+
+  /// The center of a simplex, or, if it is too far away, a point on the way there that is not inside the hull.
+  /// The predicates know it.
+  Point<Dim> center_or_direction(Simplex s);
 
   /// Orders simplices of equal priority: a hash of the coordinates of its corners.
   std::uint64_t tie(Simplex s) const;
@@ -133,8 +175,11 @@ class SteinerInserter {
   const Rejections& rejections() const { return rejections_; }
 
  private:
+  // Bits of a note: low quality, excused, hopeless, and three for the verdict on the center.
   static constexpr std::uint8_t kLow = 1;
-  static constexpr int kVerdictShift = 1;
+  static constexpr std::uint8_t kExcused = 2;
+  static constexpr std::uint8_t kHopeless = 4;
+  static constexpr int kVerdictShift = 3;
 
   template <class IsTaken>
   class Guide;
@@ -144,7 +189,10 @@ class SteinerInserter {
   Verdict refuse(const Candidate<Dim>& candidate, Verdict verdict);
   Verdict locate(const Candidate<Dim>& candidate, Simplex& start);
   void commit(const Point<Dim>& x);
-  void add(Simplex s);
+  void count_vertices();
+  double relaxed_length2(Simplex s, double shortest2) const;
+  template <class Visit>
+  void for_each_shortest_edge(Simplex s, Visit&& visit) const;
   bool is_separated(const Point<Dim>& x, Vertex v) const;
 
   Triangulation<Dim>* triangulation_;
@@ -152,6 +200,7 @@ class SteinerInserter {
   Flow<Dim>* flow_;
   double max_ratio2_;
   double separation2_ = 0;
+  BoundaryRules<Dim> rules_;
 
   Cavity<Dim> cavity_;
   std::vector<std::uint32_t> birth_;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "predicates/predicates.h"
+#include "refine/self_intersections.h"
 
 namespace sinkmesh {
 namespace {
@@ -279,7 +280,7 @@ class Checker {
  public:
   explicit Checker(const Surface<Dim>& surface) : surface_(surface), topology_(surface) {}
 
-  std::vector<SurfaceDefect> run() {
+  std::vector<SurfaceDefect> run(SurfaceChecks checks) {
     check_indices();
     check_finite();
     check_repeated_vertices();
@@ -290,6 +291,7 @@ class Checker {
     check_vertices();
     check_unused();
     check_inside_out();
+    if (checks == SurfaceChecks::all) check_self_intersections();
     // Within a kind the checks go by ids.
     std::stable_sort(defects_.begin(), defects_.end(),
                      [](const SurfaceDefect& a, const SurfaceDefect& b) { return a.kind < b.kind; });
@@ -455,7 +457,8 @@ class Checker {
       std::string text = edge_text(vertices);
       if (uses == 1) {
         text += " belongs to facet " + std::to_string(facets.front()) + " only";
-        add(Kind::open_edge, std::move(facets), std::move(vertices), std::move(text));
+        add(Dim == 3 ? Kind::open_edge : Kind::dangling_end, std::move(facets), std::move(vertices),
+            std::move(text));
       } else if (uses > 2) {
         text += " belongs to " + std::to_string(uses) + " facets: ";
         text += ids_text(facets);
@@ -484,10 +487,32 @@ class Checker {
     }
   }
 
+  void check_self_intersections() {
+    for (const auto& [f, g] : self_intersections(surface_)) {
+      const auto& first = surface_.facets[f];
+      const auto& second = surface_.facets[g];
+      std::string text = "facets " + ids_text({f, g}) + " intersect: ";
+      text += vertices_text(first) + " with " + vertices_text(second);
+      Ids vertices(first.begin(), first.end());
+      vertices.insert(vertices.end(), second.begin(), second.end());
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      add(Kind::self_intersection, {f, g}, std::move(vertices), std::move(text));
+    }
+  }
+
+  // Where every edge has two facets that agree, there is a volume, whatever touches or crosses.
   void check_inside_out() {
     const bool is_sound = std::none_of(defects_.begin(), defects_.end(), [](const SurfaceDefect& defect) {
-      return defect.kind != Kind::duplicate_vertex && defect.kind != Kind::degenerate_facet &&
-             defect.kind != Kind::nonmanifold_vertex && severity(defect.kind) != SurfaceSeverity::note;
+      switch (defect.kind) {
+        case Kind::degenerate_facet:
+        case Kind::duplicate_vertex:
+        case Kind::nonmanifold_vertex:
+        case Kind::unused_vertex:
+          return false;
+        default:
+          return true;
+      }
     });
     if (!is_sound || surface_.facets.empty()) return;
     const SignedVolume volume = signed_volume(surface_);
@@ -515,9 +540,11 @@ constexpr KindText kTexts[] = {
     {"duplicate vertex", "merge the vertices, or move them apart"},
     {"duplicate facet", "remove all but one, or all of them if two face each other"},
     {"open edge", "close the hole, or merge the vertices along the seam"},
-    {"non-manifold edge", "remove the facets inside, or separate the parts that touch there"},
+    {"self-intersection", "move the facets apart, or divide both along the line where they meet"},
     {"inconsistent orientation", "reverse one of the facets, and all that must follow it"},
-    {"non-manifold vertex", "give each part a vertex of its own, and move them apart"},
+    {"non-manifold edge", "nothing need be done: it is where regions meet, or parts touch"},
+    {"non-manifold vertex", "nothing need be done: parts touch there"},
+    {"dangling end", "nothing need be done, unless the curve should be closed: then add the segment"},
     {"unused vertex", "nothing need be done"},
     {"inside out", "nothing need be done, unless the normals matter: then reverse all facets"},
 };
@@ -526,6 +553,9 @@ constexpr KindText kTexts[] = {
 
 SurfaceSeverity severity(SurfaceDefectKind kind) {
   switch (kind) {
+    case SurfaceDefectKind::nonmanifold_edge:
+    case SurfaceDefectKind::nonmanifold_vertex:
+    case SurfaceDefectKind::dangling_end:
     case SurfaceDefectKind::unused_vertex:
     case SurfaceDefectKind::inside_out:
       return SurfaceSeverity::note;
@@ -540,8 +570,8 @@ std::string_view name_of(SurfaceDefectKind kind) { return kTexts[static_cast<std
 std::string_view advice(SurfaceDefectKind kind) { return kTexts[static_cast<std::size_t>(kind)].advice; }
 
 template <int Dim>
-std::vector<SurfaceDefect> check_surface(const Surface<Dim>& surface) {
-  return Checker<Dim>(surface).run();
+std::vector<SurfaceDefect> check_surface(const Surface<Dim>& surface, SurfaceChecks checks) {
+  return Checker<Dim>(surface).run(checks);
 }
 
 template <int Dim>
@@ -585,8 +615,8 @@ SurfaceSummary summarize_surface(const Surface<Dim>& surface) {
   return summary;
 }
 
-template std::vector<SurfaceDefect> check_surface(const Surface2&);
-template std::vector<SurfaceDefect> check_surface(const Surface3&);
+template std::vector<SurfaceDefect> check_surface(const Surface2&, SurfaceChecks);
+template std::vector<SurfaceDefect> check_surface(const Surface3&, SurfaceChecks);
 template SurfaceSummary summarize_surface(const Surface2&);
 template SurfaceSummary summarize_surface(const Surface3&);
 

@@ -21,18 +21,20 @@ enum class SurfaceDefectKind : std::uint8_t {
   degenerate_facet,          ///< the corners of a facet are collinear, exactly; in the plane: equal
   duplicate_vertex,          ///< vertices with equal coordinates; -0 equals 0
   duplicate_facet,           ///< facets with the same vertices, in any order
-  open_edge,                 ///< an edge of one facet only: the surface is not closed
-  nonmanifold_edge,          ///< an edge of more than two facets
+  open_edge,                 ///< in space, an edge of one facet only: the surface is not closed
+  self_intersection,         ///< two facets have more in common than a vertex or an edge
   inconsistent_orientation,  ///< two neighbors run along their common edge in the same direction
-  nonmanifold_vertex,        ///< the facets around a vertex form more than one fan
+  nonmanifold_edge,          ///< note: an edge of more than two facets, as where an internal facet ends
+  nonmanifold_vertex,        ///< note: the facets around a vertex form more than one fan: parts touch there
+  dangling_end,              ///< note: in the plane, a vertex of one segment only
   unused_vertex,             ///< note: no facet uses the vertex
   inside_out,                ///< note: closed and consistent, but the normals point inward
 };
 
 enum class SurfaceSeverity : std::uint8_t {
-  note,         ///< harmless
+  note,         ///< worth knowing, and no obstacle: the surface can be meshed
   orientation,  ///< refinement decides inside by parity and does not mind; whoever needs normals does
-  error,        ///< the surface does not bound a solid
+  error,        ///< the surface cannot be meshed
 };
 
 struct SurfaceDefect {
@@ -50,16 +52,21 @@ std::string_view name_of(SurfaceDefectKind kind);
 /// What to do about it, as a clause: "close the hole".
 std::string_view advice(SurfaceDefectKind kind);
 
+/// What to look for: self-intersections are most of the cost, and none are possible where all facets are in one
+/// triangulation.
+enum class SurfaceChecks : std::uint8_t { all, without_intersections };
+
 /// Every defect, ordered by kind and then by ids: the same surface gives the same list. Facets with an index
 /// out of range or a repeated vertex take no part in what concerns edges and vertices. Works on any arrays;
 /// never throws but for lack of memory.
 ///
 /// Collinearity is exact: decided by the signs of orient2d in the coordinate planes, after scaling the facet by
 /// a power of two. Coordinates smaller than the facet's largest by a factor beyond 2^400 may be lost in that.
-/// Self-intersections are not looked for.
-/// Cost: O(n log n); about 0.1 s for 270,000 triangles.
+/// For self-intersections see self_intersections.h: one defect for each pair.
+/// Cost: O(n log n); about 0.1 s for 270,000 triangles, and 0.3 s for self-intersections if there are none.
 template <int Dim>
-[[nodiscard]] std::vector<SurfaceDefect> check_surface(const Surface<Dim>& surface);
+[[nodiscard]] std::vector<SurfaceDefect> check_surface(const Surface<Dim>& surface,
+                                                       SurfaceChecks checks = SurfaceChecks::all);
 
 /// Counts of a surface. In the plane, edges are the vertices that segments share, and euler_characteristic that
 /// of the curve.

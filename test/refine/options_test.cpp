@@ -36,13 +36,13 @@ TEST(Options, ReasonsAreCountedUnderNamesOfTheirOwn) {
   std::size_t total = 0;
   std::set<std::string> names;
   for (const LeftoverReason reason : kLeftoverReasons) {
-    total += remaining.of(reason);
+    total += remaining.count(reason);
     names.insert(name(reason));
   }
   EXPECT_EQ(total, 127U);
   EXPECT_EQ(remaining.total(), 127U);
   EXPECT_EQ(names.size(), kLeftoverReasons.size());
-  EXPECT_EQ(remaining.of(LeftoverReason::small_angle), 32U);
+  EXPECT_EQ(remaining.count(LeftoverReason::small_angle), 32U);
   EXPECT_STREQ(name(Leftover<3>::Reason::small_angle), "small_angle");
 }
 

@@ -26,6 +26,7 @@ class Inspect(ProgramTest):
         self.assertEqual(report["input"]["kind"], "surface")
         self.assertEqual(report["defects"], [])
         self.assertEqual(report["missing_facets"], 0)
+        self.assertIn("yes: it bounds a solid", text)
 
     def test_whether_a_surface_is_stable(self):
         text, report = self.look(self.write("stable.off", off(ellipsoid(3, jitter=0))), 0)
@@ -52,6 +53,46 @@ class Inspect(ProgramTest):
         self.assertGreaterEqual(len(report["defects"]), 2)
         for defect in report["defects"]:
             self.assertIn(defect["message"], text)
+
+    def test_self_intersections_are_listed(self):
+        points, facets = ellipsoid(2)
+        second = [(x + 0.9, y + 0.1, z + 0.1) for x, y, z in points]
+        n = len(points)
+        both = (points + second, facets + [tuple(v + n for v in facet) for facet in facets])
+        text, report = self.look(self.write("in.off", off(both)), 1)
+        self.assertFalse(report["valid"])
+        self.assertGreater(len(report["defects"]), 10)
+        for defect in report["defects"]:
+            self.assertEqual(defect["kind"], "self-intersection")
+            self.assertEqual(defect["severity"], "error")
+            first, last = defect["facets"]
+            self.assertLess(first, len(facets))
+            self.assertGreaterEqual(last, len(facets))
+            self.assertEqual(defect["vertices"], sorted(both[1][first] + both[1][last]))
+            self.assertIn(defect["message"], text)
+        self.assertEqual(text.count("move the facets apart"), 1)
+
+    def test_parts_that_touch_are_a_note(self):
+        points, facets = ellipsoid(0, jitter=0)
+        second = [(2 + x, y, z) for x, y, z in points]
+        second[1] = (5, 5, 5)  # the other part's vertex 0 takes its place
+        ids = [0 if v == 1 else len(points) + v for v in range(len(points))]
+        both = (points + second, facets + [tuple(ids[v] for v in facet) for facet in facets])
+        text, report = self.look(self.write("in.off", off(both)), 0)
+        self.assertEqual([n["kind"] for n in report["notes"]], ["non-manifold vertex", "unused vertex"])
+        self.assertTrue(report["valid"])
+        self.assertTrue(report["closed"])
+        self.assertFalse(report["manifold"])
+        self.assertIn("yes: its facets meet at common edges and vertices only", text)
+
+    def test_a_wall_between_regions_is_a_note(self):
+        # Two tetrahedra and the facet between them.
+        points = [(1, 0, 0), (-1, 1, 0), (-1, -1, 0), (0, 0, 1), (0, 0, -1)]
+        facets = [(0, 1, 2)] + [(a, b, top) for top in (3, 4) for a, b in ((0, 1), (1, 2), (2, 0))]
+        report = self.look(self.write("in.off", off((points, facets))), 0)[1]
+        self.assertEqual([(n["kind"], n["severity"]) for n in report["notes"]], [("non-manifold edge", "note")] * 3)
+        self.assertTrue(report["closed"])
+        self.assertEqual(report["defects"], [])
 
     def test_a_good_mesh(self):
         path = self.write("in.mesh", medit(POINTS, [(0, 1, 2, 3), (4, 1, 3, 2)]))

@@ -105,12 +105,32 @@ class Plane(ProgramTest):
         line = self.fail_with_one_line(2, "delaunay", self.write("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"), "-o", self.path("a.svg"))
         self.assertIn("svg", line)
 
-    def test_open_polygon_is_refused_where_it_is_open(self):
+    def test_open_polygon_is_refused_and_its_ends_are_listed(self):
         source = self.write("open.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n")
-        line = self.fail_with_one_line(1, "refine", source, "-o", self.path("out.vtu"))
-        self.assertIn("open.poly:7:", line)
-        self.assertIn("sinkmesh inspect", line)
+        self.assertIn("open.poly:", self.fail_with_one_line(1, "refine", source, "-o", self.path("out.vtu")))
         self.assertFalse((self.folder / "out.vtu").exists())
+        text = self.succeed("inspect", source, "--report", self.path("report.json"), status=1)
+        report = self.report()
+        self.assertFalse(report["closed"])
+        self.assertEqual([(note["kind"], note["severity"], note["vertices"], note["line"]) for note in report["notes"]],
+                         [("dangling end", "note", [0], 7), ("dangling end", "note", [3], 9)])
+        self.assertIn("belongs to facet 2 only [line 9]", text)
+
+    def test_segments_that_cross_are_listed(self):
+        # A square and its diagonals, which cross; then the same with a vertex where they do.
+        square = "1 1 2\n2 2 3\n3 3 4\n4 4 1\n"
+        source = self.write("crossed.poly", f"4 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n6 0\n{square}5 1 3\n6 2 4\n")
+        text = self.succeed("inspect", source, "--report", self.path("report.json"), status=1)
+        defects = self.report()["defects"]
+        self.assertEqual([(d["kind"], d["facets"], d["line"]) for d in defects], [("self-intersection", [4, 5], 11)])
+        self.assertIn(defects[0]["message"], text)
+        source = self.write("divided.poly", f"5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 2 2\n8 0\n{square}"
+                            "5 1 5\n6 5 3\n7 2 5\n8 5 4\n")
+        self.succeed("inspect", source, "--report", self.path("report.json"), status=1)
+        report = self.report()
+        self.assertNotIn("self-intersection", [d["kind"] for d in report["defects"]])
+        self.assertEqual([(n["kind"], n["vertices"]) for n in report["notes"]],
+                         [("non-manifold edge", [v]) for v in range(5)])
 
     def test_regions_without_whole_numbers_are_refused(self):
         source = self.write("squares.poly", squares() + "1\n1 0.5 0.5 2.5\n")

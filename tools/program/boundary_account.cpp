@@ -57,7 +57,7 @@ Json to_json(const std::vector<Leftover<Dim>>& leftovers) {
 
 Json to_json(const Remaining& remaining) {
   Json json = {{"total", remaining.total()}};
-  for (const LeftoverReason reason : kLeftoverReasons) json[name(reason)] = remaining.of(reason);
+  for (const LeftoverReason reason : kLeftoverReasons) json[name(reason)] = remaining.count(reason);
   return json;
 }
 

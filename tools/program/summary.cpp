@@ -82,7 +82,7 @@ void add_remaining(Summary& summary, const Remaining& remaining, double max_rati
   if (remaining.total() == 0) return;
   summary.line("remaining", fmt::format("{} above {:g}:", grouped(remaining.total()), max_ratio));
   for (const LeftoverReason reason : kLeftoverReasons) {
-    const std::size_t number = remaining.of(reason);
+    const std::size_t number = remaining.count(reason);
     if (number != 0) summary.line("", fmt::format("{:>9} {}", grouped(number), phrase(reason)));
   }
 }

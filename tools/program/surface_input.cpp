@@ -28,7 +28,7 @@ Surface<Dim> read_surface_input(const FileArguments& files, SourceLines& lines) 
 
 template <int Dim>
 void require_sound(const Surface<Dim>& surface, const SourceLines& lines, const std::string& path) {
-  for (const SurfaceDefect& defect : check_surface(surface)) {
+  for (const SurfaceDefect& defect : check_surface(surface, SurfaceChecks::without_intersections)) {
     if (severity(defect.kind) != SurfaceSeverity::error) continue;
     const std::string message = fmt::format("{}; {} (sinkmesh inspect {} lists all defects)", defect.message,
                                             advice(defect.kind), path == "-" ? "FILE" : printable(path, 200));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "refine/surface_check.h"
 #include "tools/program/inspection.h"
@@ -88,7 +89,7 @@ void describe_counts(const Surface<Dim>& surface, const std::vector<SurfaceDefec
     text += fmt::format(", {} {:.6g}", Dim == 2 ? "area" : "volume", std::abs(counts.signed_volume));
   }
   using Kind = SurfaceDefectKind;
-  const bool is_closed = !has(defects, {Kind::open_edge});
+  const bool is_closed = !has(defects, {Kind::open_edge, Kind::dangling_end});
   const bool is_manifold =
       !has(defects, {Kind::nonmanifold_edge, Kind::nonmanifold_vertex, Kind::duplicate_facet});
   const bool is_oriented = !has(defects, {Kind::inconsistent_orientation});
@@ -116,8 +117,19 @@ void describe_counts(const Surface<Dim>& surface, const std::vector<SurfaceDefec
   report["shortest_edge"] = shortest;
 }
 
-void describe_defects(const std::vector<SurfaceDefect>& defects, const SourceLines& lines,
-                      Inspection& inspection) {
+// Of a surface without errors: what it is good for.
+template <int Dim>
+std::string_view praise(const std::vector<SurfaceDefect>& defects) {
+  using Kind = SurfaceDefectKind;
+  if (has(defects, {Kind::nonmanifold_edge, Kind::nonmanifold_vertex, Kind::dangling_end})) {
+    return Dim == 2 ? "its segments meet at common ends only"
+                    : "its facets meet at common edges and vertices only";
+  }
+  return Dim == 2 ? "it bounds an area" : "it bounds a solid";
+}
+
+void describe_defects(const std::vector<SurfaceDefect>& defects, std::string_view praise,
+                      const SourceLines& lines, Inspection& inspection) {
   Json list = Json::array();
   Json notes = Json::array();
   std::size_t errors = 0;
@@ -136,7 +148,7 @@ void describe_defects(const std::vector<SurfaceDefect>& defects, const SourceLin
   inspection.report["notes"] = std::move(notes);
   inspection.has_defects = errors != 0;
   inspection.report["valid"] = errors == 0;
-  inspection.summary.line("valid", errors == 0 ? std::string("yes: it bounds a solid, unless it crosses itself")
+  inspection.summary.line("valid", errors == 0 ? fmt::format("yes: {}", praise)
                                                : fmt::format("no: {}", count(errors, "error", "errors")));
   // Errors first; what to do about them once for each kind.
   for (const bool error_turn : {true, false}) {
@@ -197,7 +209,7 @@ void inspect_surface(const Surface<Dim>& surface, const SourceLines& lines, doub
                      Inspection& inspection) {
   const std::vector<SurfaceDefect> defects = check_surface(surface);
   describe_counts(surface, defects, inspection);
-  describe_defects(defects, lines, inspection);
+  describe_defects(defects, praise<Dim>(defects), lines, inspection);
   if (inspection.has_defects) return;
   try {
     describe_fit(surface, max_ratio, inspection);

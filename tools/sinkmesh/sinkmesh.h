@@ -19,6 +19,7 @@
 #include "refine/mesh_check.h"          // IWYU pragma: export
 #include "refine/refine.h"              // IWYU pragma: export
 #include "refine/refiner.h"             // IWYU pragma: export
+#include "refine/self_intersections.h"  // IWYU pragma: export
 #include "refine/surface_check.h"       // IWYU pragma: export
 #include "refine/watershed.h"           // IWYU pragma: export
 #include "tools/io/read.h"              // IWYU pragma: export

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "refine/boundary_features.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "predicates/constructions.h"
+#include "refine/vector.h"
+
+namespace sinkmesh {
+
+using Kind = Feature::Kind;
+
+Plane Plane::through(const Point3& a, const Point3& b, const Point3& c) {
+  Plane plane;
+  plane.origin = a;
+  plane.normal = facet_normal<3>({&a, &b, &c});
+  // Scaled first: squares of the normal of a needle may underflow.
+  double largest = 0;
+  for (const double x : plane.normal) largest = std::max(largest, std::abs(x));
+  for (double& x : plane.normal) x /= largest;
+  const double length = std::sqrt(dot(plane.normal, plane.normal));
+  for (double& x : plane.normal) x /= length;
+  const auto size = [&](int k) { return std::abs(plane.normal[static_cast<std::size_t>(k)]); };
+  int dropped = 0;
+  for (const int k : {1, 2}) dropped = size(k) > size(dropped) ? k : dropped;
+  plane.dropped = static_cast<std::uint8_t>(dropped);
+  plane.kept = {static_cast<std::uint8_t>((dropped + 1) % 3), static_cast<std::uint8_t>((dropped + 2) % 3)};
+  if (plane.normal[plane.dropped] < 0) std::swap(plane.kept[0], plane.kept[1]);
+  return plane;
+}
+
+Point3 Plane::lift(const Point2& p) const {
+  Point3 q = origin;
+  q[kept[0]] = p[0];
+  q[kept[1]] = p[1];
+  const double slope = normal[kept[0]] * (p[0] - origin[kept[0]]) + normal[kept[1]] * (p[1] - origin[kept[1]]);
+  q[dropped] -= slope / normal[dropped];
+  return q;
+}
+
+double Plane::distance(const Point3& p) const { return std::abs(dot(normal, p - origin)); }
+
+template <int Dim>
+std::uint32_t BoundaryFeatures<Dim>::add_segment(Vertex a, Vertex b) {
+  segments_.push_back({{a, b}});
+  segment_patches_.emplace_back();
+  return static_cast<std::uint32_t>(segments_.size() - 1);
+}
+
+template <int Dim>
+std::uint32_t BoundaryFeatures<Dim>::add_patch(std::uint32_t facet, const Plane& plane) {
+  patches_.push_back({facet, plane, {}, {}});
+  return static_cast<std::uint32_t>(patches_.size() - 1);
+}
+
+template <int Dim>
+void BoundaryFeatures<Dim>::set_border(std::uint32_t patch, std::vector<std::uint32_t> segments,
+                                       std::vector<Vertex> corners) {
+  for (const std::uint32_t s : segments) segment_patches_[s].push_back(patch);
+  for (const Vertex v : corners) {
+    if (v.index() >= corner_patches_.size()) corner_patches_.resize(complex_->num_vertices());
+    corner_patches_[v.index()].push_back(patch);
+  }
+  patches_[patch].segments = std::move(segments);
+  patches_[patch].corners = std::move(corners);
+}
+
+template <int Dim>
+void BoundaryFeatures<Dim>::set_vertex(Vertex v, const BoundaryVertex& info) {
+  if (v.index() >= vertices_.size()) vertices_.resize(complex_->num_vertices());
+  vertices_[v.index()] = info;
+}
+
+template <int Dim>
+void BoundaryFeatures<Dim>::set_corner(Vertex v) {
+  set_vertex(v, {{Kind::corner, v.index()}});
+}
+
+template <int Dim>
+bool BoundaryFeatures<Dim>::is_on_segment(Vertex v, std::uint32_t segment) const {
+  const Feature on = vertex(v).on;
+  if (on.kind == Kind::segment) return on.id == segment;
+  return on.kind == Kind::corner && has_corner({Kind::segment, segment}, v);
+}
+
+template <int Dim>
+bool BoundaryFeatures<Dim>::is_on_patch(Vertex v, std::uint32_t patch) const {
+  const Feature on = vertex(v).on;
+  switch (on.kind) {
+    case Kind::interior:
+      return false;
+    case Kind::corner:
+      return has_corner({Kind::patch, patch}, v);
+    case Kind::segment: {
+      const auto& patches = segment_patches_[on.id];
+      return std::find(patches.begin(), patches.end(), patch) != patches.end();
+    }
+    case Kind::patch:
+      return on.id == patch;
+  }
+  return false;
+}
+
+template <int Dim>
+double BoundaryFeatures<Dim>::position(Vertex v, std::uint32_t segment) const {
+  if (vertex(v).on.kind == Kind::segment) return vertex(v).t;
+  return v == segments_[segment].ends[0] ? 0 : 1;
+}
+
+template <int Dim>
+Point<Dim> BoundaryFeatures<Dim>::point_at(std::uint32_t segment, double t) const {
+  const Point<Dim>& a = complex_->point(segments_[segment].ends[0]);
+  const Point<Dim>& b = complex_->point(segments_[segment].ends[1]);
+  Point<Dim> x;
+  for (std::size_t k = 0; k < Dim; ++k) x[k] = a[k] + t * (b[k] - a[k]);
+  return x;
+}
+
+template <int Dim>
+double BoundaryFeatures<Dim>::length(std::uint32_t segment) const {
+  const auto& ends = segments_[segment].ends;
+  return std::sqrt(squared_distance(complex_->point(ends[0]), complex_->point(ends[1])));
+}
+
+template <int Dim>
+bool BoundaryFeatures<Dim>::has_corner(const Feature& feature, Vertex v) const {
+  switch (feature.kind) {
+    case Kind::interior:
+      return false;
+    case Kind::corner:
+      return feature.id == v.index();
+    case Kind::segment:
+      return segments_[feature.id].ends[0] == v || segments_[feature.id].ends[1] == v;
+    case Kind::patch:
+      return std::binary_search(patches_[feature.id].corners.begin(), patches_[feature.id].corners.end(), v);
+  }
+  return false;
+}
+
+template <int Dim>
+std::vector<std::uint32_t> BoundaryFeatures<Dim>::patches_at(Vertex v) const {
+  const Feature on = vertex(v).on;
+  switch (on.kind) {
+    case Kind::interior:
+      return {};
+    case Kind::corner:
+      return v.index() < corner_patches_.size() ? corner_patches_[v.index()] : std::vector<std::uint32_t>{};
+    case Kind::segment:
+      return segment_patches_[on.id];
+    case Kind::patch:
+      return {on.id};
+  }
+  return {};
+}
+
+template <int Dim>
+double BoundaryFeatures<Dim>::distance2(const Point<Dim>& p, const Feature& feature) const {
+  if (feature.kind == Kind::corner) return squared_distance(p, complex_->point(Vertex(feature.id)));
+  const Point<Dim>& a = complex_->point(segments_[feature.id].ends[0]);
+  const Point<Dim>& b = complex_->point(segments_[feature.id].ends[1]);
+  const double t = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+  return squared_distance(p, point_at(feature.id, t));
+}
+
+// Corners and segments that both features have.
+template <int Dim>
+template <class Visit>
+void BoundaryFeatures<Dim>::for_each_common(const Feature& f, const Feature& g, Visit&& visit) const {
+  if (f.kind > g.kind) return for_each_common(g, f, visit);
+  if (f.kind == Kind::segment) {
+    for (const Vertex v : segments_[f.id].ends) {
+      if (has_corner(g, v)) visit(Feature{Kind::corner, v.index()});
+    }
+    return;
+  }
+  const auto intersect = [](const auto& one, const auto& other, auto&& found) {
+    const auto& small = one.size() < other.size() ? one : other;
+    const auto& large = one.size() < other.size() ? other : one;
+    for (const auto& x : small) {
+      if (std::binary_search(large.begin(), large.end(), x)) found(x);
+    }
+  };
+  const Patch& p = patches_[f.id];
+  const Patch& q = patches_[g.id];
+  intersect(p.segments, q.segments, [&](std::uint32_t s) { visit(Feature{Kind::segment, s}); });
+  intersect(p.corners, q.corners, [&](Vertex v) { visit(Feature{Kind::corner, v.index()}); });
+}
+
+template <int Dim>
+std::optional<Rung> BoundaryFeatures<Dim>::rung(Vertex p, Vertex q, double lambda) const {
+  const Feature f = vertex(p).on;
+  const Feature g = vertex(q).on;
+  const auto can_be = [](const Feature& x) { return x.kind == Kind::segment || x.kind == Kind::patch; };
+  if (!can_be(f) || !can_be(g) || f == g) return std::nullopt;
+  if (f.kind != g.kind) {
+    const std::uint32_t patch = f.kind == Kind::patch ? f.id : g.id;
+    if (is_on_patch(f.kind == Kind::segment ? p : q, patch)) return std::nullopt;
+  }
+  const Point<Dim>& a = complex_->point(p);
+  const Point<Dim>& b = complex_->point(q);
+  std::optional<Rung> nearest;
+  for_each_common(f, g, [&](const Feature& common) {
+    const double reach2 = std::min(distance2(a, common), distance2(b, common));
+    if (!nearest || reach2 < nearest->reach2) nearest = Rung{f, g, common, reach2};
+  });
+  if (!nearest || squared_distance(a, b) >= lambda * lambda * nearest->reach2) return std::nullopt;
+  return nearest;
+}
+
+template class BoundaryFeatures<2>;
+template class BoundaryFeatures<3>;
+
+}  // namespace sinkmesh

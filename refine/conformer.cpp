@@ -1,0 +1,527 @@
+// SPDX-License-Identifier: MIT
+#include "refine/conformer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mix.h"
+#include "refine/quality.h"
+#include "refine/vector.h"
+
+namespace sinkmesh {
+namespace {
+
+using Kind = Feature::Kind;
+
+template <int Dim>
+constexpr typename Domain<Dim>::Region kUnknown = ~typename Domain<Dim>::Region{0};
+
+// The center of the diametral sphere.
+Point2 center_of(const FacetCorners<2>& f) {
+  return {((*f[0])[0] + (*f[1])[0]) / 2, ((*f[0])[1] + (*f[1])[1]) / 2};
+}
+Point3 center_of(const FacetCorners<3>& f) {
+  const Point3 u = *f[1] - *f[0];
+  const Point3 v = *f[2] - *f[0];
+  const Point3 n = cross(u, v);
+  const Point3 p = cross(n, u);
+  const Point3 q = cross(v, n);
+  const double vv = dot(v, v);
+  const double uu = dot(u, u);
+  const double nn = dot(n, n);
+  Point3 center = *f[0];
+  for (std::size_t k = 0; k < 3; ++k) center[k] += (vv * p[k] + uu * q[k]) / (2 * nn);
+  return center;
+}
+
+template <int Dim>
+bool is_reachable(const Point<Dim>& p) {
+  // Far beyond the gate a point only tells a direction; NaN and infinity do not even that.
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) < 0x1p20; });
+}
+
+}  // namespace
+
+template <int Dim>
+Conformer<Dim>::Conformer(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
+                          Boundary<Dim>& boundary, double lambda, double floor)
+    : triangulation_(&triangulation),
+      domain_(&domain),
+      flow_(&flow),
+      boundary_(&boundary),
+      lambda_(lambda),
+      floor2_(floor * floor) {}
+
+template <int Dim>
+void Conformer<Dim>::start() {
+  if constexpr (Dim == 3) PatchTriangulation(*boundary_).flip_all();
+  boundary_->sub_facets().for_each([this](SubFacet f) { enqueue(f); });
+}
+
+template <int Dim>
+void Conformer<Dim>::enqueue(SubFacet f) {
+  if (boundary_->is_missing(f)) {
+    for (const SubSegment& s : boundary_->sub_segments(f)) segment_queue_.push_back(s);
+  } else if (boundary_->encroaching_apexes(f).empty()) {
+    return;
+  }
+  const FacetCorners<Dim> corners = boundary_->corner_points(f);
+  std::uint64_t tie = 0;
+  for (const Point<Dim>* p : corners) tie += hash_point<Dim>(*p);
+  facet_queue_.push({facet_shape<Dim>(corners).radius2, tie, f, boundary_->sub_facets()[f].birth});
+}
+
+template <int Dim>
+void Conformer<Dim>::enqueue_created() {
+  for (const SubFacet f : created_) {
+    if (boundary_->sub_facets().is_alive(f)) enqueue(f);
+  }
+  created_.clear();
+}
+
+template <int Dim>
+bool Conformer<Dim>::conform(const std::function<bool()>& may_continue) {
+  for (;;) {
+    if (Dim == 3 && !segment_queue_.empty()) {
+      const SubSegment s = segment_queue_.back();
+      segment_queue_.pop_back();
+      if (boundary_->sub_facets().segment_of(s.u, s.v) != s.segment || boundary_->has_edge(s.u, s.v)) continue;
+      if (!may_continue()) return false;
+      mend(s);
+    } else if (!facet_queue_.empty()) {
+      const Entry entry = facet_queue_.top();
+      facet_queue_.pop();
+      if (!boundary_->sub_facets().is_current(entry.facet, entry.birth)) continue;
+      if (!boundary_->is_missing(entry.facet) && boundary_->encroaching_apexes(entry.facet).empty()) continue;
+      if (!may_continue()) return false;
+      mend(entry.facet);
+    } else {
+      return true;
+    }
+  }
+}
+
+template <int Dim>
+std::vector<SubFacet> Conformer<Dim>::unconformed() const {
+  std::vector<SubFacet> result;
+  for (const auto& [f, birth] : stuck_) {
+    if (!boundary_->sub_facets().is_current(f, birth)) continue;
+    if (boundary_->is_missing(f) || !boundary_->encroaching_apexes(f).empty()) result.push_back(f);
+  }
+  return result;
+}
+
+template <int Dim>
+Point<Dim> Conformer<Dim>::center(SubFacet f) const {
+  return center_of(boundary_->corner_points(f));
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// What is wrong, and what to do about it.
+
+template <int Dim>
+void Conformer<Dim>::mend(const SubSegment& s) {
+  const auto& features = boundary_->features();
+  const double t = (features.position(s.u, s.segment) + features.position(s.v, s.segment)) / 2;
+  const Vertex nearest = boundary_->star_walk().nearest(complex(), features.point_at(s.segment, t), s.u);
+  if (split_segment(s, nearest == s.u || nearest == s.v ? Vertex() : nearest, 0)) return;
+  if constexpr (Dim == 3) {
+    for (const auto& side : boundary_->sub_facets().around(s.u, s.v)) {
+      stuck_.emplace_back(side.facet, boundary_->sub_facets()[side.facet].birth);
+    }
+  }
+}
+
+template <int Dim>
+void Conformer<Dim>::mend(SubFacet f) {
+  const std::uint32_t birth = boundary_->sub_facets()[f].birth;
+  if constexpr (Dim == 3) {
+    if (boundary_->is_missing(f)) {
+      for (const SubSegment& s : boundary_->sub_segments(f)) {
+        if (!boundary_->has_edge(s.u, s.v)) {
+          mend(s);
+          return;
+        }
+      }
+      PatchTriangulation(*boundary_).flip_around(f, created_);
+      enqueue_created();
+      if (!boundary_->sub_facets().is_current(f, birth)) return;
+    }
+  }
+  const Vertex q = culprit(f);
+  if ((!q.is_null() && insert_alike(f, q)) || split_at_center(f, q, {0, 0})) {
+    if (boundary_->sub_facets().is_current(f, birth)) enqueue(f);
+  } else {
+    stuck_.emplace_back(f, birth);
+  }
+}
+
+// The vertex that is to blame: of those strictly inside the diametral sphere the one nearest to its center. Null
+// if there is none.
+template <int Dim>
+Vertex Conformer<Dim>::culprit(SubFacet f) {
+  const Point<Dim> center = center_of(boundary_->corner_points(f));
+  if (!is_reachable<Dim>(center)) return {};
+  const auto& corners = boundary_->sub_facets()[f].corners;
+  if (boundary_->is_missing(f)) {
+    const Vertex nearest = boundary_->star_walk().nearest(complex(), center, corners[0]);
+    return std::find(corners.begin(), corners.end(), nearest) == corners.end() ? nearest : Vertex();
+  }
+  Vertex best;
+  for (const Vertex v : boundary_->encroaching_apexes(f)) {
+    if (best.is_null() ||
+        squared_distance(complex().point(v), center) < squared_distance(complex().point(best), center)) {
+      best = v;
+    }
+  }
+  return best;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// Where points go [BR, 5].
+
+// A power of two away from a corner at one end, so that pieces of segments that meet there at a small angle become
+// equally long and leave each other alone; else the middle.
+template <int Dim>
+double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const {
+  const auto& features = boundary_->features();
+  const double tu = features.position(s.u, s.segment);
+  const double tv = features.position(s.v, s.segment);
+  const bool is_corner_u = tu == 0 || tu == 1;
+  const bool is_corner_v = tv == 0 || tv == 1;
+  if (is_corner_u != is_corner_v) {
+    const Vertex corner = is_corner_u ? s.u : s.v;
+    if (Dim == 2 || culprit.is_null() || features.has_corner(features.vertex(culprit).on, corner)) {
+      const double length = features.length(s.segment);
+      const double shell = std::exp2(std::floor(std::log2(std::abs(tu - tv) * length * (2.0 / 3))));
+      return (is_corner_u ? tu : tv) == 0 ? shell / length : 1 - shell / length;
+    }
+  }
+  return (tu + tv) / 2;
+}
+
+// The mirror image of q over a segment that its patch shares with that of f, in the plane of f [BR, Lemma 2].
+template <int Dim>
+std::optional<Point<Dim>> Conformer<Dim>::mirror_image(SubFacet f, Vertex q) const {
+  if constexpr (Dim == 2) {
+    return std::nullopt;
+  } else {
+    const auto& features = boundary_->features();
+    const std::uint32_t patch = boundary_->sub_facets()[f].owner;
+    const Point3& p = complex().point(q);
+    if (features.is_on_patch(q, patch)) return std::nullopt;
+    std::optional<std::uint32_t> nearest;
+    for (const std::uint32_t other : features.patches_at(q)) {
+      for (const std::uint32_t s : features.patches()[other].segments) {
+        const auto& at = features.patches_at_segment(s);
+        if (std::find(at.begin(), at.end(), patch) == at.end()) continue;
+        const auto distance2 = [&](std::uint32_t x) { return features.distance2(p, {Kind::segment, x}); };
+        if (!nearest || distance2(s) < distance2(*nearest)) nearest = s;
+      }
+    }
+    if (!nearest) return std::nullopt;
+    const auto& ends = features.segments()[*nearest].ends;
+    const Point3& a = complex().point(ends[0]);
+    const Point3 along = complex().point(ends[1]) - a;
+    const double t = dot(p - a, along) / dot(along, along);
+    Point3 foot = a;
+    for (std::size_t k = 0; k < 3; ++k) foot[k] += t * along[k];
+    const Plane& plane = features.patches()[patch].plane;
+    Point3 out = cross(plane.normal, along);
+    Point3 middle{};
+    for (const Point3* corner : boundary_->corner_points(f)) {
+      for (std::size_t k = 0; k < 3; ++k) middle[k] += (*corner)[k] / 3;
+    }
+    const double sign = dot(middle - foot, out) > 0 ? 1 : -1;
+    if (sign * dot(p - foot, out) <= 0) return std::nullopt;  // no acute angle
+    const double scale = sign * std::sqrt(squared_distance(p, foot) / dot(out, out));
+    for (std::size_t k = 0; k < 3; ++k) foot[k] += scale * out[k];
+    return foot;
+  }
+}
+
+// As far from a corner as q is and as two corners of f are, in the plane of f [BR, Lemma 3].
+template <int Dim>
+std::optional<Point<Dim>> Conformer<Dim>::sphere_point(SubFacet f, Vertex q) const {
+  if constexpr (Dim == 2) {
+    return std::nullopt;
+  } else {
+    const auto& features = boundary_->features();
+    const auto& corners = boundary_->sub_facets()[f].corners;
+    const Plane& plane = features.patches()[boundary_->sub_facets()[f].owner].plane;
+    const Point3& p = complex().point(q);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vertex v = corners[k];
+      if (features.vertex(v).on.kind != Kind::corner || !features.has_corner(features.vertex(q).on, v))
+        continue;
+      const Point3& center = complex().point(v);
+      const double radius2 = squared_distance(p, center);
+      const auto is_equal = [&](Vertex u) {
+        return std::abs(squared_distance(complex().point(u), center) - radius2) <= 2e-6 * radius2;
+      };
+      if (!is_equal(corners[(k + 1) % 3]) || !is_equal(corners[(k + 2) % 3])) continue;
+      Point3 way = p - center;
+      const double height = dot(way, plane.normal);
+      for (std::size_t i = 0; i < 3; ++i) way[i] -= height * plane.normal[i];
+      const double length2 = dot(way, way);
+      if (length2 < radius2 / 4) continue;
+      Point3 x = center;
+      for (std::size_t i = 0; i < 3; ++i) x[i] += way[i] * std::sqrt(radius2 / length2);
+      return x;
+    }
+    return std::nullopt;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// Insertions.
+
+// Against a culprit that was itself inserted because of another one: a point that is placed as it is.
+template <int Dim>
+bool Conformer<Dim>::insert_alike(SubFacet f, Vertex q) {
+  if constexpr (Dim == 2) {
+    return false;
+  } else {
+    if (boundary_->features().vertex(q).level == 0) return false;
+    const Plane& plane = boundary_->features().patches()[boundary_->sub_facets()[f].owner].plane;
+    const double radius2 = facet_shape<3>(boundary_->corner_points(f)).radius2;
+    constexpr double kCloseness2 = 1e-6;
+    for (const std::optional<Point3>& image : {mirror_image(f, q), sphere_point(f, q)}) {
+      if (!image || !is_reachable<3>(*image)) continue;
+      const Point2 projected = plane.project(*image);
+      const auto at = PatchTriangulation(*boundary_).walk(f, projected);
+      if (!at || at->barrier) continue;
+      const Point3 x = plane.lift(projected);
+      triangulation_->announce(x);
+      if (triangulation_->predicates().diametral_side(boundary_->corner_points(f), x) >= 0) continue;
+      if (insert_on_patch(*at, x, q, kCloseness2 * radius2)) return true;
+    }
+    return false;
+  }
+}
+
+template <int Dim>
+bool Conformer<Dim>::split(SubFacet f, double facet_distance2, double segment_distance2) {
+  return split_at_center(f, {}, {facet_distance2, segment_distance2});
+}
+
+// At the circumcenter of the sub-facet, unless a sub-segment lies between or would be too near.
+template <int Dim>
+bool Conformer<Dim>::split_at_center(SubFacet f, Vertex q, const Distances& distances) {
+  if constexpr (Dim == 2) {
+    return split_segment(boundary_->sub_segments(f).front(), q, distances.segment2);
+  } else {
+    const Point3 center = center_of(boundary_->corner_points(f));
+    if (!is_reachable<3>(center)) return false;
+    const Plane& plane = boundary_->features().patches()[boundary_->sub_facets()[f].owner].plane;
+    const auto at = PatchTriangulation(*boundary_).walk(f, plane.project(center));
+    if (!at) return false;
+    if (at->barrier) return split_segment(*at->barrier, q, distances.segment2);
+    const Point3 x = plane.lift(plane.project(center));
+    triangulation_->announce(x);
+    if (const auto segment = encroached_segment(*at, x)) return split_segment(*segment, q, distances.segment2);
+    return insert_on_patch(*at, x, q, distances.facet2);
+  }
+}
+
+// The longest sub-segment with x inside its diametral sphere, among those at the sub-facets of the patch that x
+// would destroy.
+template <int Dim>
+std::optional<SubSegment> Conformer<Dim>::encroached_segment(const PatchTriangulation::Location& at,
+                                                             const Point<Dim>& x) {
+  std::optional<SubSegment> longest;
+  if constexpr (Dim == 3) {
+    double longest2 = 0;
+    std::vector<SubFacet> found = {at.facet};
+    for (std::size_t head = 0; head < found.size(); ++head) {
+      const SubFacet f = found[head];
+      for (const SubSegment& s : boundary_->sub_segments(f)) {
+        const Point3& u = complex().point(s.u);
+        const Point3& v = complex().point(s.v);
+        const double length2 = squared_distance(u, v);
+        if (dot(u - x, v - x) < 0 && length2 > longest2) {
+          longest = s;
+          longest2 = length2;
+        }
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (boundary_->sub_facets()[f].segment[k] != SubFacets<3>::kNone) continue;
+        const SubFacet next = boundary_->sub_facets().across(f, k).facet;
+        if (std::find(found.begin(), found.end(), next) != found.end()) continue;
+        if (triangulation_->predicates().diametral_side(boundary_->corner_points(next), x) < 0) {
+          found.push_back(next);
+        }
+      }
+    }
+  }
+  return longest;
+}
+
+template <int Dim>
+bool Conformer<Dim>::insert_on_patch(const PatchTriangulation::Location& at, const Point<Dim>& x, Vertex q,
+                                     double distance2) {
+  if constexpr (Dim == 3) {
+    const auto& record = boundary_->sub_facets()[at.facet];
+    const Vertex v = insert(x, complex().incident_simplex(record.corners[0]), distance2);
+    if (v.is_null()) return false;
+    settle(v, {Kind::patch, record.owner}, 0, q);
+    ++points_on_patches_;
+    PatchTriangulation(*boundary_).divide(at.facet, at.side, v, created_);
+    enqueue_created();
+  }
+  return true;
+}
+
+template <int Dim>
+bool Conformer<Dim>::split_segment(const SubSegment& s, Vertex q, double distance2) {
+  const double t = split_position(s, q);
+  const Point<Dim> x = boundary_->features().point_at(s.segment, t);
+  const Vertex v = insert(x, complex().incident_simplex(s.u), distance2);
+  if (v.is_null()) return false;
+  settle(v, {Kind::segment, s.segment}, t, q);
+  ++points_on_segments_;
+  if constexpr (Dim == 3) {
+    PatchTriangulation(*boundary_).divide(s, v, created_);
+  } else {
+    boundary_->divide_edge(s.u, s.v, v, created_);
+  }
+  enqueue_created();
+  return true;
+}
+
+// Into the triangulation, whatever is there. Null if a vertex would be nearer than it may.
+template <int Dim>
+Vertex Conformer<Dim>::insert(const Point<Dim>& x, Simplex hint, double distance2) {
+  triangulation_->announce(x);
+  const Location<Dim> at = triangulation_->locate(x, hint);
+  if (at.is_at_corner()) return {};
+  triangulation_->grow_prestar(cavity_, x, at.simplex);
+  // All vertices of the closure of a prestar are on its border.
+  nearest2_ = HUGE_VAL;
+  for (std::size_t i = 0; i < cavity_.num_facets(); ++i) {
+    for (const Vertex v : complex().facet(HalfFacet(cavity_.facet(i).inner))) {
+      if (!v.is_infinite()) nearest2_ = std::min(nearest2_, squared_distance(x, complex().point(v)));
+    }
+  }
+  if (nearest2_ < std::max(distance2, floor2_)) {
+    triangulation_->release(cavity_);
+    return {};
+  }
+  boundary_->before_insertion(cavity_);
+  for (std::size_t i = 0; i < cavity_.num_simplices(); ++i) {
+    const typename Domain<Dim>::Region region = domain_->region(cavity_.simplex(i));
+    if (on_removal && region != kUnknown<Dim> && region != Domain<Dim>::kOutside)
+      on_removal(cavity_.simplex(i));
+  }
+  const Vertex v = triangulation_->substitute_star(cavity_, x);
+  for (std::size_t i = 0; i < cavity_.num_facets(); ++i) {
+    flow_->forget(cavity_.star(i));
+    domain_->set_region(cavity_.star(i), kUnknown<Dim>);
+    fresh_.push_back(cavity_.star(i));
+  }
+  for (const SubFacet f : boundary_->after_insertion(cavity_)) created_.push_back(f);
+  return v;
+}
+
+// What is to be known of a new vertex.
+template <int Dim>
+void Conformer<Dim>::settle(Vertex v, const Feature& on, double t, Vertex q) {
+  BoundaryVertex info{on, t, 0, nearest2_};
+  boundary_->set_vertex(v, info);
+  if (q.is_null()) return;
+  const BoundaryVertex& culprit = boundary_->features().vertex(q);
+  info.level = culprit.level + 1;
+  if (boundary_->features().rung(v, q, lambda_)) info.relaxed2 = std::max(info.relaxed2, culprit.relaxed2);
+  boundary_->set_vertex(v, info);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// Regions of new simplices.
+
+// Whether the simplex of h sees the corners of f in their order, or turned.
+template <int Dim>
+std::size_t Conformer<Dim>::side_of(SubFacet f, HalfFacet h) const {
+  const auto& corners = boundary_->sub_facets()[f].corners;
+  const auto facet = complex().facet(h);
+  const auto first = std::find(facet.begin(), facet.end(), corners[0]);
+  if constexpr (Dim == 2) return first == facet.begin() ? 0 : 1;
+  const auto next = first + 1 == facet.end() ? facet.begin() : first + 1;
+  return *next == corners[1] ? 0 : 1;
+}
+
+template <int Dim>
+void Conformer<Dim>::remember_regions() {
+  fresh_.clear();
+  const auto& features = boundary_->features();
+  regions_.resize(Dim == 3 ? features.patches().size() : features.segments().size());
+  boundary_->sub_facets().for_each([this](SubFacet f) {
+    const HalfFacet h = boundary_->sub_facets()[f].at;
+    for (const HalfFacet side : {h, complex().mate(h)}) {
+      regions_[boundary_->sub_facets()[f].owner][side_of(f, side)] =
+          domain_->region(Complex<Dim>::simplex_of(side));
+    }
+  });
+}
+
+template <int Dim>
+std::vector<Simplex> Conformer<Dim>::label_new() {
+  std::erase_if(fresh_,
+                [this](Simplex s) { return !complex().is_alive(s) || domain_->region(s) != kUnknown<Dim>; });
+  const auto region_of = [this](Simplex s) {
+    if (complex().is_ghost(s)) return Domain<Dim>::kOutside;
+    for (int i = 0; i <= Dim; ++i) {
+      const HalfFacet h = Complex<Dim>::half_facet(s, i);
+      if (domain_->is_wall(h)) {
+        const SubFacet f = boundary_->at(h);
+        return regions_[boundary_->sub_facets()[f].owner][side_of(f, h)];
+      }
+      const auto region = domain_->region(complex().neighbor(s, i));
+      if (region != kUnknown<Dim>) return region;
+    }
+    return kUnknown<Dim>;
+  };
+  std::vector<Simplex> stack;
+  for (const Simplex s : fresh_) {
+    if (domain_->region(s) != kUnknown<Dim>) continue;  // listed twice
+    domain_->set_region(s, region_of(s));
+    if (domain_->region(s) != kUnknown<Dim>) stack.push_back(s);
+  }
+  while (!stack.empty()) {
+    const Simplex s = stack.back();
+    stack.pop_back();
+    for (int i = 0; i <= Dim; ++i) {
+      const Simplex t = complex().neighbor(s, i);
+      if (domain_->region(t) != kUnknown<Dim> || domain_->is_wall(Complex<Dim>::half_facet(s, i))) continue;
+      domain_->set_region(t, domain_->region(s));
+      stack.push_back(t);
+    }
+  }
+  std::sort(fresh_.begin(), fresh_.end());
+  fresh_.erase(std::unique(fresh_.begin(), fresh_.end()), fresh_.end());
+  std::vector<Simplex> inside;
+  for (const Simplex s : fresh_) {
+    if (domain_->is_inside(s)) inside.push_back(s);
+  }
+  fresh_.clear();
+  return inside;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// Flat simplices.
+
+template <int Dim>
+bool Conformer<Dim>::is_flat(Simplex s) const {
+  if constexpr (Dim == 2) return false;
+  const auto& features = boundary_->features();
+  for (const std::uint32_t patch : features.patches_at(complex().corner(s, 0))) {
+    bool is_flat = true;
+    for (int i = 1; i <= Dim; ++i) is_flat = is_flat && features.is_on_patch(complex().corner(s, i), patch);
+    if (is_flat) return true;
+  }
+  return false;
+}
+
+template class Conformer<2>;
+template class Conformer<3>;
+
+}  // namespace sinkmesh

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes a triangulation hold a surface, and keeps it so: boundary refinement [BR, 4, 5].
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "core/triangulation.h"
+#include "refine/boundary.h"
+#include "refine/domain.h"
+#include "refine/flow.h"
+#include "refine/patch_triangulation.h"
+
+namespace sinkmesh {
+
+/// Inserts points on the boundary until every sub-facet is a facet of the triangulation and Gabriel: no apex,
+/// on either side, strictly inside its diametral sphere. Then no flow crosses the boundary, in or out, and the
+/// prestar of a point outside all these spheres does not cross it either [BR, 12, Lemma 4].
+///
+/// Why it ends: no point is inserted nearer to a vertex than the floor, so there are finitely many. Sub-facets
+/// that could only be mended by a nearer one are left, and reported. Nothing better is proven for surfaces with
+/// angles below 70.5 degrees [BR, 9]; shells, mirror images and sphere points keep the floor out of sight.
+template <int Dim>
+class Conformer {
+ public:
+  /// @param lambda  edges shorter than this times their distance from the place where two features meet are
+  ///                rungs.
+  /// @param floor   no two vertices get closer; gated.
+  Conformer(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, Boundary<Dim>& boundary,
+            double lambda, double floor);
+
+  /// Flips the input, and queues what is not conforming.
+  void start();
+  /// Works until the queues are empty.
+  /// @param may_continue  asked before each point.
+  /// @return false if it said no.
+  bool conform(const std::function<bool()>& may_continue);
+  /// Sub-facets that are not conforming, and could not be made so. Call it after conform().
+  std::vector<SubFacet> unconformed() const;
+
+  /// Puts a point near the center of a sub-facet, on it or on a sub-segment that is in the way.
+  /// @param facet_distance2    least squared distance from all vertices of a point within a facet
+  /// @param segment_distance2  of a point on a segment
+  /// @return whether a point was inserted; then call conform() and label_new().
+  bool split(SubFacet f, double facet_distance2, double segment_distance2);
+
+  /// Of the diametral sphere of a sub-facet; rounded.
+  Point<Dim> center(SubFacet f) const;
+
+  /// Remembers the regions on both sides of all patches and segments; after Domain::label().
+  void remember_regions();
+  /// Gives regions to the simplices that are new since the last call: from neighbours that have one, from the
+  /// patches and segments at them, and from ghosts. Requires a conforming surface.
+  /// @return those that are inside.
+  std::vector<Simplex> label_new();
+  /// Called for each inside simplex that is about to be replaced; may be empty.
+  std::function<void(Simplex)> on_removal;
+
+  /// Exchanges the two sub-facets at an inside simplex that has all its vertices on one patch for its two other
+  /// facets, or divides one of them: the simplex is flat but for rounding, and does not stay inside [BR, 8].
+  /// @return whether anything was done.
+  bool expel(Simplex s);
+  bool is_flat(Simplex s) const;
+
+  std::size_t points_on_segments() const { return points_on_segments_; }
+  std::size_t points_on_patches() const { return points_on_patches_; }
+
+ private:
+  struct Entry {
+    double radius2;
+    std::uint64_t tie;
+    SubFacet facet;
+    std::uint32_t birth;
+    bool operator<(const Entry& other) const {
+      return radius2 != other.radius2 ? radius2 < other.radius2 : tie < other.tie;
+    }
+  };
+  struct Distances {
+    double facet2;
+    double segment2;
+  };
+
+  const Complex<Dim>& complex() const { return triangulation_->complex(); }
+  void enqueue(SubFacet f);
+  void enqueue_created();
+  void mend(const SubSegment& sub_segment);
+  void mend(SubFacet f);
+  Vertex culprit(SubFacet f);
+  bool split_segment(const SubSegment& sub_segment, Vertex culprit, double distance2);
+  double split_position(const SubSegment& sub_segment, Vertex culprit) const;
+  bool split_at_center(SubFacet f, Vertex culprit, const Distances& distances);
+  bool insert_alike(SubFacet f, Vertex culprit);
+  bool insert_on_patch(const PatchTriangulation::Location& at, const Point<Dim>& x, Vertex culprit,
+                       double distance2);
+  std::optional<SubSegment> encroached_segment(const PatchTriangulation::Location& at, const Point<Dim>& x);
+  std::optional<Point<Dim>> mirror_image(SubFacet f, Vertex q) const;
+  std::optional<Point<Dim>> sphere_point(SubFacet f, Vertex q) const;
+  Vertex insert(const Point<Dim>& x, Simplex hint, double distance2);
+  void settle(Vertex v, const Feature& on, double t, Vertex culprit);
+  std::size_t side_of(SubFacet f, HalfFacet h) const;
+
+  Triangulation<Dim>* triangulation_;
+  Domain<Dim>* domain_;
+  Flow<Dim>* flow_;
+  Boundary<Dim>* boundary_;
+  double lambda_;
+  double floor2_;
+
+  Cavity<Dim> cavity_;
+  double nearest2_ = 0;  // squared distance of the last point from its nearest vertex
+  std::vector<SubSegment> segment_queue_;
+  std::priority_queue<Entry> facet_queue_;
+  std::vector<std::pair<SubFacet, std::uint32_t>> stuck_;
+  std::vector<SubFacet> created_;
+  std::vector<Simplex> fresh_;
+  std::vector<std::array<typename Domain<Dim>::Region, 2>> regions_;  // by owner of sub-facets
+  std::size_t points_on_segments_ = 0;
+  std::size_t points_on_patches_ = 0;
+};
+
+extern template class Conformer<2>;
+extern template class Conformer<3>;
+
+}  // namespace sinkmesh

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "refine/patches.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "predicates/predicates.h"
+#include "refine/vector.h"
+
+namespace sinkmesh {
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+// The facet across each edge, or none where the edge has other than two facets.
+std::vector<std::array<std::uint32_t, 3>> neighbours(std::span<const std::array<Vertex, 3>> facets) {
+  struct Use {
+    std::array<Vertex, 2> edge;
+    std::uint32_t facet;
+    std::uint32_t k;
+    auto operator<=>(const Use&) const = default;
+  };
+  std::vector<Use> uses;
+  uses.reserve(3 * facets.size());
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const Vertex a = facets[f][(k + 1) % 3];
+      const Vertex b = facets[f][(k + 2) % 3];
+      uses.push_back({{std::min(a, b), std::max(a, b)}, f, k});
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  std::vector<std::array<std::uint32_t, 3>> across(facets.size(), {kNone, kNone, kNone});
+  for (std::size_t first = 0; first < uses.size();) {
+    std::size_t last = first;
+    while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
+    if (last - first == 2) {
+      across[uses[first].facet][uses[first].k] = uses[first + 1].facet;
+      across[uses[first + 1].facet][uses[first + 1].k] = uses[first].facet;
+    }
+    first = last;
+  }
+  return across;
+}
+
+// By decreasing area, ties by coordinates.
+std::vector<std::uint32_t> by_size(const Complex<3>& complex, std::span<const std::array<Vertex, 3>> facets) {
+  struct Key {
+    double area2;
+    std::array<Point3, 3> corners;
+  };
+  std::vector<Key> key(facets.size());
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) key[f].corners[k] = complex.point(facets[f][k]);
+    std::sort(key[f].corners.begin(), key[f].corners.end());
+    const Point3 n = cross(key[f].corners[1] - key[f].corners[0], key[f].corners[2] - key[f].corners[0]);
+    key[f].area2 = dot(n, n);
+  }
+  std::vector<std::uint32_t> order(facets.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) {
+    return key[f].area2 != key[g].area2 ? key[f].area2 > key[g].area2 : key[f].corners < key[g].corners;
+  });
+  return order;
+}
+
+}  // namespace
+
+std::vector<PatchFacet> find_patches(const Complex<3>& complex, std::span<const std::array<Vertex, 3>> facets,
+                                     std::span<const std::int64_t> tags, double flat,
+                                     std::vector<BoundaryFeatures<3>::Patch>& planes) {
+  const std::vector<std::array<std::uint32_t, 3>> across = neighbours(facets);
+  std::vector<PatchFacet> result(facets.size(), {{}, kNone});
+  std::vector<std::uint32_t> stack;
+  planes.clear();
+  for (const std::uint32_t seed : by_size(complex, facets)) {
+    if (result[seed].patch != kNone) continue;
+    const std::array<const Point3*, 3> base = {&complex.point(facets[seed][0]), &complex.point(facets[seed][1]),
+                                               &complex.point(facets[seed][2])};
+    const Plane plane = Plane::through(*base[0], *base[1], *base[2]);
+    const auto patch = static_cast<std::uint32_t>(planes.size());
+    planes.push_back({seed, plane, {}, {}});
+
+    const auto is_near = [&](Vertex v) {
+      const Point3& p = complex.point(v);
+      return flat > 0 ? plane.distance(p) <= flat : orient3d(*base[0], *base[1], *base[2], p) == 0;
+    };
+    const auto is_counterclockwise = [&](const std::array<Vertex, 3>& f) {
+      return orient2d(plane.project(complex.point(f[0])), plane.project(complex.point(f[1])),
+                      plane.project(complex.point(f[2]))) > 0;
+    };
+    result[seed] = {facets[seed], patch};
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const std::uint32_t f = stack.back();
+      stack.pop_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t g = across[f][k];
+        if (g == kNone || result[g].patch != kNone) continue;
+        if (!tags.empty() && tags[g] != tags[seed]) continue;
+        // Turned so that the common edge runs the other way.
+        const Vertex a = facets[f][(k + 1) % 3];
+        const Vertex b = facets[f][(k + 2) % 3];
+        const auto& v = facets[g];
+        const Vertex apex = *std::find_if(v.begin(), v.end(), [&](Vertex x) { return x != a && x != b; });
+        const auto& mine = result[f].vertices;
+        const auto at = static_cast<std::size_t>(std::find(mine.begin(), mine.end(), a) - mine.begin());
+        const bool runs_ab = mine[(at + 1) % 3] == b;
+        const std::array<Vertex, 3> turned =
+            runs_ab ? std::array<Vertex, 3>{b, a, apex} : std::array<Vertex, 3>{a, b, apex};
+        if (!is_near(apex) || !is_counterclockwise(turned)) continue;
+        result[g] = {turned, patch};
+        stack.push_back(g);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace sinkmesh

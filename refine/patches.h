@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Which facets of a surface in space lie in one plane: its patches [BR, 2].
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/complex.h"
+#include "refine/boundary_features.h"
+
+namespace sinkmesh {
+
+/// A facet of a surface with its patch; turned so that it is counterclockwise in the projection of the patch.
+struct PatchFacet {
+  std::array<Vertex, 3> vertices;
+  std::uint32_t patch;
+};
+
+/// Divides the facets into patches: maximal sets, connected through edges of exactly two facets with the same
+/// tag, all of whose vertices lie within `flat` of the plane of the largest facet, and which do not fold in
+/// projection. Grown from the largest facet first, ties by coordinates: the order of the file does not matter.
+/// @param tags  one per facet, or none.
+/// @param flat  a distance; 0: exactly coplanar facets only.
+/// @param planes  receives the facet and the plane of each patch.
+/// @return one entry for each facet.
+/// Cost: log-linear.
+std::vector<PatchFacet> find_patches(const Complex<3>& complex, std::span<const std::array<Vertex, 3>> facets,
+                                     std::span<const std::int64_t> tags, double flat,
+                                     std::vector<BoundaryFeatures<3>::Patch>& planes);
+
+}  // namespace sinkmesh
