@@ -162,8 +162,8 @@ class Refine(ProgramTest):
         limit = len(self.surface[0]) + 5
         for schedule in ("incremental", "block", "parallel"):
             out = self.path("out.vtu")
-            self.succeed("refine", self.input, "-o", out, "--schedule", schedule, "--max-vertices", limit, "--report",
-                         self.path("report.json"), status=3)
+            self.succeed("refine", self.input, "-o", out, "--schedule", schedule, "--max-vertices", limit, "--boundary",
+                         "fixed", "--report", self.path("report.json"), status=3)
             report = self.report()
             self.assertEqual(report["stop"], "budget")
             self.assertLessEqual(report["final"]["vertices"], limit)
