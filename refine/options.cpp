@@ -45,6 +45,8 @@ std::size_t& Remaining::count(LeftoverReason reason) {
   return untried;
 }
 
+std::size_t Remaining::count(LeftoverReason reason) const { return Remaining(*this).count(reason); }
+
 const char* name(Insert insert) { return insert == Insert::sink ? "sink" : "circumcenter"; }
 
 const char* name(Schedule schedule) {
@@ -74,11 +76,45 @@ const char* name(Stop stop) {
 const char* name(BoundaryMode mode) {
   switch (mode) {
     case BoundaryMode::automatic:
-      return "automatic";
+      return "auto";
     case BoundaryMode::fixed:
       return "fixed";
     case BoundaryMode::refine:
       return "refine";
+  }
+  return "";
+}
+
+const char* name(LeftoverReason reason) {
+  switch (reason) {
+    case LeftoverReason::boundary_facet:
+      return "boundary_facet";
+    case LeftoverReason::boundary:
+      return "boundary";
+    case LeftoverReason::crossing:
+      return "crossing";
+    case LeftoverReason::separation:
+      return "separation";
+    case LeftoverReason::omega:
+      return "omega";
+    case LeftoverReason::small_angle:
+      return "small_angle";
+    case LeftoverReason::untried:
+      return "untried";
+  }
+  return "";
+}
+
+const char* name(BoundaryFeature::Kind kind) {
+  switch (kind) {
+    case BoundaryFeature::Kind::none:
+      return "none";
+    case BoundaryFeature::Kind::corner:
+      return "corner";
+    case BoundaryFeature::Kind::segment:
+      return "segment";
+    case BoundaryFeature::Kind::patch:
+      return "patch";
   }
   return "";
 }

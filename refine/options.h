@@ -94,8 +94,8 @@ struct RefineOptions {
   std::function<void(const Progress&)> observer = {};
 };
 
-/// @throws InputError if max_ratio is below 1 or not a number, if an option of the boundary is out of its range,
-///         or if `literal` is asked of the incremental schedule.
+/// @throws InputError if max_ratio is below 1 or not a number, if an option of the boundary is out of its
+///         range, or if `literal` is asked of the incremental schedule.
 void require_valid(const RefineOptions& options);
 
 /// Why a refinement ended.
@@ -123,29 +123,33 @@ struct Rejections {
 
 /// Why a simplex of low quality remains, in the order in which reasons are looked for.
 enum class LeftoverReason : std::uint8_t {
-  small_angle,
-  boundary_facet,
-  untried,
-  boundary,
+  small_angle,     ///< short only because the surface has a small angle there: see Leftover
+  boundary_facet,  ///< has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it
+  untried,         ///< the run ended before
+  boundary,        ///< a point for it was rejected for this reason ...
   crossing,
   separation,
-  omega
+  omega,  ///< flows to the outside only
 };
+inline constexpr std::array kLeftoverReasons = {LeftoverReason::small_angle, LeftoverReason::boundary_facet,
+                                                LeftoverReason::untried,     LeftoverReason::boundary,
+                                                LeftoverReason::crossing,    LeftoverReason::separation,
+                                                LeftoverReason::omega};
 
 /// Simplices of low quality that remain, each with one reason: the first in this order that applies.
 struct Remaining {
-  /// Has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it.
   std::size_t boundary_facet = 0;
-  std::size_t boundary = 0;  ///< a point for it was rejected for this reason ...
+  std::size_t boundary = 0;
   std::size_t crossing = 0;
   std::size_t separation = 0;
-  std::size_t omega = 0;        ///< flows to the outside only
-  std::size_t small_angle = 0;  ///< short only because the surface has a small angle there: see Leftover
-  std::size_t untried = 0;      ///< the run ended before
+  std::size_t omega = 0;
+  std::size_t small_angle = 0;
+  std::size_t untried = 0;
 
   std::size_t total() const {
     return boundary_facet + boundary + crossing + separation + omega + small_angle + untried;
   }
+  std::size_t count(LeftoverReason reason) const;
   std::size_t& count(LeftoverReason reason);
 };
 
@@ -170,6 +174,10 @@ struct Leftover {
   BoundaryFeature second;
   BoundaryFeature common;
 };
+
+/// As reports name them.
+const char* name(LeftoverReason reason);
+const char* name(BoundaryFeature::Kind kind);
 
 /// What became of the surface before any point was inserted for quality.
 struct BoundaryResult {

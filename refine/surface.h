@@ -33,9 +33,9 @@ struct Surface {
 
   /// One per facet, or none at all. The pieces of a facet carry its tag; facets with different tags are never
   /// joined to one patch.
-  std::vector<std::int64_t> facet_tags;
+  std::vector<std::int64_t> facet_tags = {};
   /// If there are any, every bounded region is inside but those that hold a hole; else parity decides (Domain).
-  Seeds<Dim> seeds;
+  Seeds<Dim> seeds = {};
 };
 using Surface2 = Surface<2>;
 using Surface3 = Surface<3>;

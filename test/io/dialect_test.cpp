@@ -286,6 +286,48 @@ TEST(TetgenDialects, APolygonWithItsPointsBesideIt) {
   EXPECT_EQ(found.facets, test::sample_polygon().facets);
 }
 
+TEST(TetgenDialects, MarkersHolesAndRegionsOfAPolygon) {
+  const test::TemporaryFolder folder;
+  const std::string nodes = "3 2 1 1\n1 0 0 9 7\n2 1 0 9 7\n3 0 1.5 9 7\n";
+  const std::string rest = "# holes\n1\n1 0.2 0.2 # here\n\n2 # regions\n1 0.1 0.3 -4.0 0.01\n2 .5 .25 1e3\n";
+  const Surface2 marked =
+      read_surface<2>(folder.write("a.poly", nodes + "3 1\n1 1 2 5\n2 2 3 -1\n3 3 1 5\n" + rest));
+  EXPECT_EQ(marked.facet_tags, (std::vector<std::int64_t>{5, -1, 5}));
+  EXPECT_EQ(marked.seeds.holes, (std::vector<Point2>{{0.2, 0.2}}));
+  ASSERT_EQ(marked.seeds.regions.size(), 2U);
+  EXPECT_EQ(marked.seeds.regions[0].point, (Point2{0.1, 0.3}));
+  EXPECT_EQ(marked.seeds.regions[0].tag, -4);
+  EXPECT_EQ(marked.seeds.regions[1].point, (Point2{0.5, 0.25}));
+  EXPECT_EQ(marked.seeds.regions[1].tag, 1000);
+  const Surface2 plain = read_surface<2>(folder.write("b.poly", nodes + "3\n1 1 2\n2 2 3\n3 3 1\n0\n"));
+  EXPECT_EQ(plain.facets, marked.facets);
+  EXPECT_TRUE(plain.facet_tags.empty());
+  EXPECT_TRUE(plain.seeds.holes.empty());
+  EXPECT_TRUE(plain.seeds.regions.empty());
+}
+
+// Facets beside the simplices in any order; a field that only they have is none of the simplices.
+TEST(VtkDialects, FacetsAmongTheSimplices) {
+  const std::string bytes =
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0\n1 0 0\n0 1 0\n"
+      "0 0 1\nCELLS 4 16\n3 0 2 1\n4 0 1 2 3\n2 0 1\n3 1 2 3\nCELL_TYPES 4\n5\n10\n3\n5\nCELL_DATA 4\n"
+      "SCALARS parent long 1\nLOOKUP_TABLE default\n4\n-1\n-1\n-1\n"
+      "SCALARS region long 1\nLOOKUP_TABLE default\n-1\n6\n-1\n-1\n"
+      "SCALARS nothing long 1\nLOOKUP_TABLE default\n-1\n-1\n-1\n-1\n"
+      "SCALARS tag long 1\nLOOKUP_TABLE default\n8\n7\n-1\n9\n";
+  const Mesh3 mesh = io_detail::decode_vtk<3>({bytes, "file"});
+  EXPECT_EQ(mesh.simplices.size(), 1U);
+  EXPECT_EQ(mesh.boundary, (std::vector<Mesh3::Facet>{{0, 2, 1}, {1, 2, 3}}));
+  ASSERT_EQ(mesh.simplex_fields.size(), 3U);
+  EXPECT_EQ(mesh.simplex_fields[0].name, "region");
+  EXPECT_EQ(mesh.simplex_fields[1].name, "nothing");
+  EXPECT_EQ(mesh.simplex_fields[2].values, (std::vector<std::int64_t>{7}));
+  ASSERT_EQ(mesh.boundary_fields.size(), 2U);
+  EXPECT_EQ(mesh.boundary_fields[0].name, "parent");
+  EXPECT_EQ(mesh.boundary_fields[0].values, (std::vector<std::int64_t>{4, -1}));
+  EXPECT_EQ(mesh.boundary_fields[1].values, (std::vector<std::int64_t>{8, 9}));
+}
+
 TEST(XyzDialects, SeparatorsTitlesAndMoreColumns) {
   const std::string rows[] = {"0 0 0\n1 0 0\n0 1.5 0\n-0.25 0 1\n",
                               "x y z\n0 0 0\n1 0 0\n0 1.5 0\n-0.25 0 1",

@@ -57,7 +57,12 @@ constexpr const char* kVtk =
     "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0\n1 0 0\n0 1 0\n0 "
     "0 1\n";
 
-std::string with(const char* head, const char* rest) { return std::string(head) + rest; }
+constexpr const char* kPoly = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n";
+constexpr const char* kSegments = "3 0\n1 1 2\n2 2 3\n3 3 1\n";
+
+std::string with(const char* head, const char* rest, const char* end = "") {
+  return std::string(head) + rest + end;
+}
 
 std::vector<Refusal> refusals() {
   using enum Kind;
@@ -147,6 +152,22 @@ std::vector<Refusal> refusals() {
       {"a.node", points, "1 3 0 0\n1 0 0 0\n2 1 0 0\n", 3, "goes on"},
       {"a.poly", polygon, "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n1 0\n1 1 4\n", 6, "run from 1 to 3"},
       {"a.poly", polygon, "0 2 0 0\n1 0\n1 1 4\n", 1, ".node"},
+      {"a.poly", polygon, with(kPoly, "3 1\n1 1 2 5\n2 2 3\n3 3 1 5\n"), 7, "ends where a marker"},
+      {"a.poly", polygon, with(kPoly, "3 1\n1 1 2 5\n2 2 3 0.5\n3 3 1 5\n"), 7, "'0.5' is not a whole number"},
+      {"a.poly", polygon, with(kPoly, "3 0\n1 1 2 5\n2 2 3\n3 3 1\n"), 6, "'5' follows"},
+      {"a.poly", polygon, with(kPoly, "3 1\n1 1 2 5\n2 2 3 5\n"), 8, "ends where the number of a row"},
+      {"a.poly", polygon, with(kPoly, kSegments, "holes\n"), 9, "'holes' is not a whole number"},
+      {"a.poly", polygon, with(kPoly, kSegments, "-1\n"), 9, "cannot be negative"},
+      {"a.poly", polygon, with(kPoly, kSegments, "1\n1 0.5\n"), 10, "ends where a coordinate"},
+      {"a.poly", polygon, with(kPoly, kSegments, "1\n1 0.5 0.5 7\n"), 10, "'7' follows"},
+      {"a.poly", polygon, with(kPoly, kSegments, "1\n1 nan 0.5\n"), 10, "not finite"},
+      {"a.poly", polygon, with(kPoly, kSegments, "2\n1 0.5 0.5\n3 0.5 0.6\n"), 11, "row number 3"},
+      {"a.poly", polygon, with(kPoly, kSegments, "9\n1 0.5 0.5\n"), 9, "bytes that follow"},
+      {"a.poly", polygon, with(kPoly, kSegments, "0\n1\n1 0.5 0.5\n"), 11, "the attribute of a region"},
+      {"a.poly", polygon, with(kPoly, kSegments, "0\n1\n1 0.5 0.5 1.5\n"), 11,
+       "attribute of this region is 1.5"},
+      {"a.poly", polygon, with(kPoly, kSegments, "0\n1\n1 0.5 0.5 1 0.1 9\n"), 11, "'9' follows"},
+      {"a.poly", polygon, with(kPoly, kSegments, "0\n1\n1 0.5 0.5 1\n2 0.5 0.5 1\n"), 12, "goes on"},
       // meshes
       {"a.mesh", mesh, "MeshVersionFormatted 2\nDimension 2\nVertices\n0\n", 2, "dimension 2: 3 is needed"},
       {"a.mesh", mesh, with(kMedit, "Tetrahedra\n1\n1 2 3 5 0\n"), 11, "run from 1 to 4"},

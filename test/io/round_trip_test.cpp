@@ -23,8 +23,9 @@ struct MeshFormat {
   std::string suffix;
   Format format;
   bool keeps_boundary;
-  std::string one_field;   // the name that a single field has after reading, where names are not kept
-  std::int64_t max_value;  // of a field
+  std::string one_field;        // the name that a single field has after reading, where names are not kept
+  std::string one_facet_field;  // the same for facets
+  std::int64_t max_value;       // of a field
 };
 
 std::ostream& operator<<(std::ostream& out, const MeshFormat& format) { return out << name_of(format.format); }
@@ -34,12 +35,12 @@ const std::vector<MeshFormat>& mesh_formats() {
   constexpr std::int64_t kMax64 = std::numeric_limits<std::int64_t>::max();
   constexpr std::int64_t kMaxWhole = std::int64_t{1} << 53;
   static const std::vector<MeshFormat> formats = {
-      {".vtu", Format::vtu, false, "", kMax64},
-      {".vtk", Format::vtk, false, "", kMax64},
-      {".mesh", Format::medit, true, "reference", kMax32},
-      {".msh", Format::msh, true, "physical", kMax32},
-      {".msh", Format::msh2, true, "physical", kMax32},
-      {".node", Format::tetgen, true, "attribute1", kMaxWhole},
+      {".vtu", Format::vtu, false, "", "", kMax64},
+      {".vtk", Format::vtk, false, "", "", kMax64},
+      {".mesh", Format::medit, true, "reference", "reference", kMax32},
+      {".msh", Format::msh, true, "physical", "physical", kMax32},
+      {".msh", Format::msh2, true, "physical", "physical", kMax32},
+      {".node", Format::tetgen, true, "attribute1", "marker", kMaxWhole},
   };
   return formats;
 }
@@ -91,6 +92,48 @@ class MeshRoundTrip : public ::testing::TestWithParam<MeshFormat> {
     EXPECT_EQ(found.simplex_fields[0].values, mesh.simplex_fields[0].values);
   }
 
+  // A field of facets only, and one that simplices have, too; of simplices one that facets have not.
+  template <int Dim>
+  Mesh<Dim> with_facet_fields() const {
+    Mesh<Dim> mesh = with_field<Dim>("tag");
+    mesh.simplex_fields.push_back({"region", std::vector<std::int64_t>(mesh.simplices.size(), 1)});
+    typename Mesh<Dim>::Field parent{"parent", {}};
+    typename Mesh<Dim>::Field tag{"tag", {}};
+    for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
+      parent.values.push_back(static_cast<std::int64_t>(i / 2));
+      tag.values.push_back(i == 7 ? std::numeric_limits<std::int32_t>::max()
+                                  : static_cast<std::int64_t>(i * i % 5) - 2);
+    }
+    mesh.boundary_fields = {parent, tag};
+    return mesh;
+  }
+
+  template <int Dim>
+  void check_facet_fields() const {
+    const Mesh<Dim> mesh = with_facet_fields<Dim>();
+    const Mesh<Dim> found = through_file(mesh);
+    expect_same_bits<Dim>(mesh.points, found.points);
+    EXPECT_EQ(found.simplices, mesh.simplices);
+    EXPECT_EQ(found.boundary, mesh.boundary);
+    const bool has_room = GetParam().one_field.empty();
+    ASSERT_EQ(found.simplex_fields.size(), has_room || GetParam().format == Format::tetgen ? 2U : 1U);
+    for (std::size_t i = 0; i < found.simplex_fields.size(); ++i) {
+      EXPECT_EQ(found.simplex_fields[i].values, mesh.simplex_fields[i].values);
+    }
+    ASSERT_EQ(found.boundary_fields.size(), has_room ? 2U : 1U);
+    const auto& tag = mesh.boundary_fields[1];
+    if (!has_room) {
+      EXPECT_EQ(found.boundary_fields[0].name, GetParam().one_facet_field);
+      EXPECT_EQ(found.boundary_fields[0].values, tag.values);
+      return;
+    }
+    // The order is that of the arrays in the file: those of simplices come first.
+    EXPECT_EQ(found.boundary_fields[0].name, "tag");
+    EXPECT_EQ(found.boundary_fields[0].values, tag.values);
+    EXPECT_EQ(found.boundary_fields[1].name, "parent");
+    EXPECT_EQ(found.boundary_fields[1].values, mesh.boundary_fields[0].values);
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -108,6 +151,37 @@ TEST_P(MeshRoundTrip, KeepsAllFieldsWhereThereIsRoom) {
   for (std::size_t i = 0; i < found.simplex_fields.size(); ++i) {
     EXPECT_EQ(found.simplex_fields[i].values, mesh.simplex_fields[i].values);
   }
+}
+
+TEST_P(MeshRoundTrip, KeepsFieldsOfFacetsInSpace) { check_facet_fields<3>(); }
+TEST_P(MeshRoundTrip, KeepsFieldsOfFacetsInThePlane) { check_facet_fields<2>(); }
+
+// Without a tag the parent is written, counted from 1; but in groups, of which there would be too many.
+TEST_P(MeshRoundTrip, CountsParentsFromOneWhereThereIsOneNumber) {
+  if (GetParam().one_field.empty()) return;
+  Mesh3 mesh = with_facet_fields<3>();
+  mesh.boundary_fields.resize(1);
+  const Mesh3 found = through_file(mesh);
+  EXPECT_EQ(found.boundary, mesh.boundary);
+  if (GetParam().one_facet_field == "physical") {
+    EXPECT_TRUE(found.boundary_fields.empty());
+    return;
+  }
+  ASSERT_EQ(found.boundary_fields.size(), 1U);
+  EXPECT_EQ(found.boundary_fields[0].name, GetParam().one_facet_field);
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
+    EXPECT_EQ(found.boundary_fields[0].values[i], mesh.boundary_fields[0].values[i] + 1);
+  }
+}
+
+TEST_P(MeshRoundTrip, RefusesATagThatItWouldChange) {
+  if (GetParam().one_field.empty()) return;
+  Mesh3 mesh = with_facet_fields<3>();
+  for (const std::int64_t value : {std::int64_t{1} << 31, -(std::int64_t{1} << 31) - 1}) {
+    mesh.boundary_fields[1].values[5] = value;
+    EXPECT_THROW(write_mesh(folder_.path("mesh" + GetParam().suffix), mesh, GetParam().format), InputError);
+  }
+  EXPECT_TRUE(folder_.files().empty());
 }
 
 TEST_P(MeshRoundTrip, RefusesAValueThatItWouldChange) {
@@ -130,6 +204,9 @@ TEST_P(MeshRoundTrip, RefusesArraysThatDoNotFitTogether) {
   EXPECT_THROW(write_mesh(path, mesh, GetParam().format), InputError);
   mesh = awkward_mesh<3>();
   mesh.simplex_fields.push_back({"short", {1, 2, 3}});
+  EXPECT_THROW(write_mesh(path, mesh, GetParam().format), InputError);
+  mesh = awkward_mesh<3>();
+  mesh.boundary_fields.push_back({"short", {1, 2, 3}});
   EXPECT_THROW(write_mesh(path, mesh, GetParam().format), InputError);
   EXPECT_TRUE(folder_.files().empty());
 }
@@ -206,6 +283,30 @@ TEST(SurfaceRoundTrip, KeepsAPolygonInThePlane) {
   const Surface2 found = read_surface<2>(folder.path("a.poly"));
   expect_same_bits<2>(surface.points, found.points);
   EXPECT_EQ(surface.facets, found.facets);
+}
+
+TEST(SurfaceRoundTrip, KeepsTagsHolesAndRegionsInThePlane) {
+  const TemporaryFolder folder;
+  Surface2 surface = awkward_surface<2>();
+  for (std::size_t i = 0; i < surface.facets.size(); ++i) {
+    surface.facet_tags.push_back(static_cast<std::int64_t>(i % 5) - 2);
+  }
+  surface.seeds.holes = awkward_points<2>(7);
+  for (const Point2& p : awkward_points<2>(9)) {
+    surface.seeds.regions.push_back({p, static_cast<std::int64_t>(surface.seeds.regions.size()) - 4});
+  }
+  write_surface(folder.path("a.poly"), surface);
+  const Surface2 found = read_surface<2>(folder.path("a.poly"));
+  EXPECT_EQ(surface.facets, found.facets);
+  EXPECT_EQ(surface.facet_tags, found.facet_tags);
+  expect_same_bits<2>(surface.seeds.holes, found.seeds.holes);
+  ASSERT_EQ(surface.seeds.regions.size(), found.seeds.regions.size());
+  for (std::size_t i = 0; i < surface.seeds.regions.size(); ++i) {
+    expect_same_bits<2>({surface.seeds.regions[i].point}, {found.seeds.regions[i].point});
+    EXPECT_EQ(surface.seeds.regions[i].tag, found.seeds.regions[i].tag);
+  }
+  surface.facet_tags.pop_back();
+  EXPECT_THROW(write_surface(folder.path("a.poly"), surface), InputError);
 }
 
 // Points have readers only; the shortest decimals of the standard library are their other side.

@@ -28,6 +28,23 @@ class Inspect(ProgramTest):
         self.assertEqual(report["missing_facets"], 0)
         self.assertIn("yes: it bounds a solid", text)
 
+    def test_whether_a_surface_is_stable(self):
+        text, report = self.look(self.write("stable.off", off(ellipsoid(3, jitter=0))), 0)
+        self.assertTrue(report["stable"])
+        self.assertIn("refine keeps the surface as it is", text)
+        text, report = self.look(self.write("corner.off", off(TETRAHEDRON)), 0)
+        self.assertFalse(report["stable"])
+        self.assertEqual(report["missing_facets"], 0)
+        self.assertGreater(report["unstable_facets"], 0)
+        self.assertIn("--boundary fixed peels off 1 tetrahedron", text)
+        # A pyramid on a rhombus that is cut along its long diagonal.
+        points = [(0, 0, 0), (2, -1, 0), (4, 0, 0), (2, 1, 0), (2, 0, 3)]
+        facets = [(0, 2, 1), (0, 3, 2), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+        text, report = self.look(self.write("rhombus.off", off((points, facets))), 0)
+        self.assertFalse(report["stable"])
+        self.assertEqual(report["first_missing_facets"], [0, 1])
+        self.assertIn("--boundary fixed refuses the surface", text)
+
     def test_every_defect_of_a_surface_is_listed(self):
         points, facets = ellipsoid(1)
         far_away = len(facets) // 2

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The plane: polygons in, triangles out, by every command and format."""
+import math
 import pathlib
 import re
 import unittest
@@ -58,6 +59,18 @@ class Plane(ProgramTest):
             self.succeed("refine", str(USA), "-o", self.path("out.vtu"), "--ratio", "1", "--max-vertices",
                          str(231 + sinks), "--report", self.path("report.json"), status=3)
             self.assertEqual(self.report()["final"]["simplices"], 229 + 2 * sinks)
+
+    def test_a_ratio_an_angle_and_the_default_are_one(self):
+        default = self.refine(str(USA))
+        self.assertEqual(default["options"]["ratio"], 1)
+        for arguments in (["--ratio", "1"], ["--min-angle", "30"]):
+            report = self.refine(str(USA), *arguments)
+            self.assertEqual(report["options"]["ratio"], 1)
+            self.assertEqual(report["hash"], default["hash"])
+        report = self.refine(str(USA), "--min-angle", "20")
+        self.assertAlmostEqual(report["options"]["ratio"], 0.5 / math.sin(math.radians(20)), places=14)
+        self.assertNotEqual(report["hash"], default["hash"])
+        self.assertEqual(self.inspect(self.path("out.vtu"))["options"]["ratio"], 1)
 
     def test_holes_and_components_are_found_by_parity(self):
         source = self.write("squares.poly", squares())
@@ -118,6 +131,11 @@ class Plane(ProgramTest):
         self.assertNotIn("self-intersection", [d["kind"] for d in report["defects"]])
         self.assertEqual([(n["kind"], n["vertices"]) for n in report["notes"]],
                          [("non-manifold edge", [v]) for v in range(5)])
+
+    def test_regions_without_whole_numbers_are_refused(self):
+        source = self.write("squares.poly", squares() + "1\n1 0.5 0.5 2.5\n")
+        line = self.fail_with_one_line(1, "refine", source, "-o", self.path("out.vtu"))
+        self.assertRegex(line, r"squares\.poly:\d+: the attribute of this region is 2\.5: ")
 
     def test_flips_and_stars_agree_on_degenerate_points(self):
         ring = "\n".join(f"{x} {y}" for x, y in [(5, 0), (3, 4), (4, 3), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3),

@@ -25,12 +25,17 @@ class Refine(ProgramTest):
         report = self.report()
         for key in ("program", "version", "input", "options", "initial", "final", "rounds", "candidates", "prestars",
                     "inserted", "rejected", "remaining", "separation", "peeled", "stop", "hash", "seconds",
-                    "peak_memory_bytes"):
+                    "peak_memory_bytes", "boundary", "leftovers", "leftovers_total"):
             self.assertIn(key, report)
         for key in ("path", "vertices", "facets", "dimension", "duplicates", "rounded_points"):
             self.assertIn(key, report["input"])
-        for key in ("ratio", "insert", "schedule", "fallback", "threads"):
+        for key in ("ratio", "insert", "schedule", "fallback", "threads", "boundary", "small_angle", "flat"):
             self.assertIn(key, report["options"])
+        self.assertEqual(set(report["boundary"]), {
+            "mode", "regions", "patches", "joined_facets", "segments", "points_on_segments", "points_on_patches",
+            "unconformed", "refine_points_on_segments", "refine_points_on_patches"})
+        self.assertEqual(set(report["remaining"]), {
+            "total", "boundary_facet", "boundary", "crossing", "separation", "omega", "small_angle", "untried"})
         for stage in ("initial", "final"):
             for key in ("vertices", "simplices", "low_quality", "ratio", "dihedral"):
                 self.assertIn(key, report[stage])
@@ -41,6 +46,9 @@ class Refine(ProgramTest):
         self.assertRegex(report["hash"], "^[0-9a-f]{16}$")
         self.assertEqual(report["program"], "sinkmesh")
         self.assertEqual(report["stop"], "no_candidate")
+        self.assertEqual(report["options"]["ratio"], 2)
+        self.assertEqual(report["options"]["boundary"], "auto")
+        self.assertEqual(report["options"]["flat"], 2.0**-42)
         self.assertEqual(report["input"]["vertices"], len(self.surface[0]))
         self.assertEqual(report["input"]["facets"], len(self.surface[1]))
         self.assertEqual(report["final"]["vertices"], report["initial"]["vertices"] + report["inserted"])
@@ -124,6 +132,27 @@ class Refine(ProgramTest):
         for word in ("input", "domain", "before", "after", "tetrahedra", "r/l", "dihedral", "inserted", "time"):
             self.assertIn(word, text)
 
+    def test_a_surface_that_is_stable_is_kept(self):
+        stable = self.write("stable.off", off(ellipsoid(3, jitter=0)))
+        hashes = set()
+        for options in ([], ["--boundary", "auto"], ["--boundary", "fixed"]):
+            text = self.succeed("refine", stable, "-o", self.path("out.vtu"), "--report", self.path("report.json"),
+                                *options)
+            self.assertIn("kept as given: it is stable", text)
+            report = self.report()
+            hashes.add(report["hash"])
+            self.assertEqual(report["boundary"]["mode"], "fixed")
+            self.assertEqual(report["boundary"]["regions"], 1)
+            self.assertEqual(report["boundary"]["unconformed"], [])
+            self.assertEqual(report["peeled"], {"simplices": 0, "facets": 0})
+        self.assertEqual(len(hashes), 1)
+
+    def test_options_of_the_boundary_are_in_the_report(self):
+        self.succeed("refine", self.input, "-o", self.path("out.vtu"), "--report", self.path("report.json"),
+                     "--boundary", "fixed", "--small-angle", "17", "--flat", "0")
+        options = self.report()["options"]
+        self.assertEqual((options["boundary"], options["small_angle"], options["flat"]), ("fixed", 17, 0))
+
     def test_output_may_replace_a_file(self):
         out = self.write("out.mesh", "something else")
         self.succeed("refine", self.input, "-o", out)
@@ -133,8 +162,8 @@ class Refine(ProgramTest):
         limit = len(self.surface[0]) + 5
         for schedule in ("incremental", "block", "parallel"):
             out = self.path("out.vtu")
-            self.succeed("refine", self.input, "-o", out, "--schedule", schedule, "--max-vertices", limit, "--report",
-                         self.path("report.json"), status=3)
+            self.succeed("refine", self.input, "-o", out, "--schedule", schedule, "--max-vertices", limit, "--boundary",
+                         "fixed", "--report", self.path("report.json"), status=3)
             report = self.report()
             self.assertEqual(report["stop"], "budget")
             self.assertLessEqual(report["final"]["vertices"], limit)

@@ -14,7 +14,8 @@ class Usage(ProgramTest):
     def test_help_of_refine_names_every_option(self):
         text = self.succeed("refine", "--help")
         for option in ("--output", "--ratio", "--insert", "--schedule", "--literal", "--fallback", "--threads",
-                       "--max-vertices", "--time-limit", "--report", "--history", "--quiet", "--format"):
+                       "--max-vertices", "--time-limit", "--report", "--history", "--quiet", "--format", "--boundary",
+                       "--small-angle", "--flat", "--min-angle"):
             self.assertIn(option, text)
 
     def test_version(self):
@@ -37,6 +38,14 @@ class Usage(ProgramTest):
             ["refine", surface, *out, "--schedule", "random"],
             ["refine", surface, *out, "--fallback", "maybe"],
             ["refine", surface, *out, "--literal"],
+            ["refine", surface, *out, "--boundary", "peel"],
+            ["refine", surface, *out, "--small-angle", "0"],
+            ["refine", surface, *out, "--small-angle", "60.5"],
+            ["refine", surface, *out, "--small-angle", "flat"],
+            ["refine", surface, *out, "--flat", "-1e-9"],
+            ["refine", surface, *out, "--flat", "1"],
+            ["refine", surface, *out, "--flat", "nan"],
+            ["refine", surface, *out, "--min-angle", "20"],
             ["refine", surface, *out, "--threads", "0"],
             ["refine", surface, *out, "--threads", "-1"],
             ["refine", surface, *out, "--max-vertices", "-5"],
@@ -61,6 +70,18 @@ class Usage(ProgramTest):
             with self.subTest(arguments=arguments):
                 self.assertIn("--help", self.fail_with_one_line(2, *arguments))
         self.assertEqual(self.files(), ["in.off"])
+
+    def test_an_angle_is_a_ratio_in_the_plane_only(self):
+        space = self.write("in.off", off(TETRAHEDRON))
+        plane = self.write("in.poly", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n")
+        out = ["-o", self.path("out.vtu")]
+        for arguments, word in ((["refine", space, *out, "--min-angle", "20"], "for the plane"),
+                                (["refine", plane, *out, "--min-angle", "20", "--ratio", "1"], "give one of them"),
+                                (["refine", plane, *out, "--min-angle", "0"], "not above 0"),
+                                (["refine", plane, *out, "--min-angle", "30.1"], "sure to end"),
+                                (["refine", plane, *out, "--min-angle", "inf"], "not a finite number")):
+            with self.subTest(arguments=arguments):
+                self.assertIn(word, self.fail_with_one_line(2, *arguments))
 
     def test_unknown_suffix_of_output_lists_the_known_ones(self):
         surface = self.write("in.off", off(TETRAHEDRON))

@@ -32,10 +32,13 @@ struct ReadOptions {
   SourceLines* lines = nullptr;
 };
 
-/// Reads a surface: OFF, OBJ, STL or PLY in space, Triangle's .poly in the plane (its holes and regions are not
-/// read: inside and outside are told by parity). Points and facets keep the
+/// Reads a surface: OFF, OBJ, STL or PLY in space, Triangle's .poly in the plane. Points and facets keep the
 /// order of the file, and points their ids, used or not; STL, which has no ids, merges equal points at their
 /// first occurrence (equal as numbers: no tolerance). Facets are triangles; larger polygons are refused.
+///
+/// Of a .poly: markers of segments become facet_tags, if it has any; holes and regions its seeds, the
+/// attribute of a region its tag, which must be a whole number. Markers of points and bounds on areas are
+/// passed over. If it has no points of its own they come from the .node file beside it.
 ///
 /// @param path  "-" is standard input.
 /// @return every index in range and every coordinate finite; otherwise as the file has it: see check_surface().
@@ -56,9 +59,9 @@ template <int Dim = 3>
 ///
 /// Simplices keep the order of the file (Gmsh: of the element tags) and its orientation: a file may hold
 /// inverted ones. boundary is what the file lists, and is empty for .vtu and .vtk unless they hold facets as
-/// cells. Integer data per simplex become simplex_fields: all of them from .vtu, .vtk and .ele ("attribute1",
-/// ...), the reference from .mesh ("reference") and the physical tag from .msh ("physical"), unless these are
-/// all 0.
+/// cells. Integer data per simplex become simplex_fields, those per facet boundary_fields: all of them from
+/// .vtu and .vtk, where -1 is no value, and .ele ("attribute1", ...); the reference from .mesh ("reference"),
+/// the physical tag from .msh ("physical") and the marker from .face ("marker"), unless these are all 0.
 /// @throws FileError as read_surface, or if there is no simplex, or a simplex of another kind (hexahedra, ...).
 template <int Dim = 3>
 [[nodiscard]] Mesh<Dim> read_mesh(const std::string& path, const ReadOptions& options = {});

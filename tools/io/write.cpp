@@ -12,6 +12,7 @@
 #include "tools/io/detail/codecs.h"
 #include "tools/io/detail/concat.h"
 #include "tools/io/detail/file.h"
+#include "tools/io/detail/references.h"
 #include "tools/io/detail/shapes.h"
 
 namespace sinkmesh {
@@ -46,51 +47,51 @@ void check_indices(const Cells& cells, std::size_t points, const char* what) {
   }
 }
 
+template <class Field>
+void check_lengths(const std::vector<Field>& fields, std::size_t count, const char* things) {
+  for (const Field& field : fields) {
+    if (field.values.size() != count) {
+      throw InputError(concat("field '", printable(field.name), "' has ", field.values.size(), " values for ",
+                              count, " ", things));
+    }
+  }
+}
+
 // The values that a format can hold without changing them, and what they are there.
-struct TagRange {
+struct ValueRange {
   std::int64_t min;
   std::int64_t max;
   const char* what;
 };
+constexpr std::int64_t kWhole = std::int64_t{1} << std::numeric_limits<double>::digits;
+constexpr ValueRange kAttributes = {-kWhole, kWhole, "attributes, which are doubles,"};
+constexpr ValueRange kTags = {std::numeric_limits<std::int32_t>::min(),
+                              std::numeric_limits<std::int32_t>::max(), "32-bit tags"};
 
-TagRange tag_range(Format format) {
-  using Limits = std::numeric_limits<std::int32_t>;
-  constexpr std::int64_t kWhole = std::int64_t{1} << std::numeric_limits<double>::digits;
-  switch (format) {
-    case Format::medit:
-    case Format::msh:
-    case Format::msh2:
-      return {Limits::min(), Limits::max(), "32-bit tags"};
-    case Format::tetgen:
-      return {-kWhole, kWhole, "attributes, which are doubles,"};
-    default:
-      return {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(), "fields"};
+// Requires values that are those of the field, or made of them; a field that is null has none.
+template <class Field>
+void check_values(const Field* field, const std::vector<std::int64_t>& values, const ValueRange& range) {
+  for (const std::int64_t value : values) {
+    if (value < range.min || value > range.max) {
+      throw InputError(concat("field '", printable(field->name), "' holds ", value, ", which does not fit the ",
+                              range.what, " of this format: write .vtu instead"));
+    }
   }
-}
-
-// References and physical tags are a single number.
-bool holds_one_field(Format format) {
-  return format == Format::medit || format == Format::msh || format == Format::msh2;
 }
 
 template <int Dim>
 void check_fields(const Mesh<Dim>& mesh, Format format) {
-  for (const auto& field : mesh.simplex_fields) {
-    if (field.values.size() != mesh.simplices.size()) {
-      throw InputError(concat("field '", printable(field.name), "' has ", field.values.size(), " values for ",
-                              mesh.simplices.size(), " simplices"));
-    }
-  }
-  const TagRange range = tag_range(format);
-  for (const auto& field : mesh.simplex_fields) {
-    for (const std::int64_t value : field.values) {
-      if (value < range.min || value > range.max) {
-        throw InputError(concat("field '", printable(field.name), "' holds ", value,
-                                ", which does not fit the ", range.what,
-                                " of this format: write .vtu instead"));
-      }
-    }
-    if (holds_one_field(format)) return;
+  check_lengths(mesh.simplex_fields, mesh.simplices.size(), "simplices");
+  check_lengths(mesh.boundary_fields, mesh.boundary.size(), "boundary facets");
+  const bool is_tetgen = format == Format::tetgen;
+  const bool has_references =
+      is_tetgen || format == Format::medit || format == Format::msh || format == Format::msh2;
+  if (!has_references) return;
+  check_values(io_detail::facet_field(mesh), io_detail::facet_references(mesh), kTags);
+  if (is_tetgen) {
+    for (const auto& field : mesh.simplex_fields) check_values(&field, field.values, kAttributes);
+  } else {
+    check_values(io_detail::simplex_field(mesh), io_detail::simplex_references(mesh), kTags);
   }
 }
 
@@ -170,6 +171,10 @@ template <int Dim>
 void write_surface(const std::string& path, const Surface<Dim>& surface, std::optional<Format> format) {
   const Format chosen = output_format(path, format, FileRole::surface_out, Dim);
   check_indices(surface.facets, surface.points.size(), "facet");
+  if (!surface.facet_tags.empty() && surface.facet_tags.size() != surface.facets.size()) {
+    throw InputError(
+        concat("the surface has ", surface.facet_tags.size(), " tags for ", surface.facets.size(), " facets"));
+  }
   io_detail::write_file(path, encode_surface(surface, chosen));
 }
 

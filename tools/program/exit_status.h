@@ -11,7 +11,7 @@ enum class ExitStatus {
   done = 0,
   unusable_input = 1,  ///< or an output that cannot be written; one line on standard error
   wrong_usage = 2,     ///< one line on standard error, with the command whose --help tells more
-  stopped_early = 3,   ///< budget or signal; the output is valid
+  stopped_early = 3,   ///< budget or signal: the output is valid, or absent, with one line that says why
   internal_error = 4,
 };
 

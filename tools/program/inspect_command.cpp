@@ -25,14 +25,14 @@ void inspect_surface_file(const InspectArguments& arguments, Format format, Insp
   SourceLines lines;
   const Surface<Dim> surface = read_surface<Dim>(arguments.files.input, {format, &lines});
   begin(inspection, arguments, "surface", format, Dim);
-  inspect_surface<Dim>(surface, lines, arguments.ratio, inspection);
+  inspect_surface<Dim>(surface, lines, arguments.ratio.value_or(default_ratio(Dim)), inspection);
 }
 
 template <int Dim>
 void inspect_mesh_file(const InspectArguments& arguments, Format format, Inspection& inspection) {
   const Mesh<Dim> mesh = read_mesh<Dim>(arguments.files.input, {format, nullptr});
   begin(inspection, arguments, "mesh", format, Dim);
-  inspect_mesh<Dim>(mesh, arguments.ratio, inspection);
+  inspect_mesh<Dim>(mesh, arguments.ratio.value_or(default_ratio(Dim)), inspection);
 }
 
 // A format for meshes says the dimension in the file only.
@@ -74,7 +74,7 @@ CLI::App* add_inspect_command(CLI::App& program, InspectArguments& arguments) {
       ->type_name("NAME");
   command->add_option("--ratio", arguments.ratio, "Simplices with a larger r/l are counted as of low quality")
       ->check(at_least(0))
-      ->capture_default_str();
+      ->default_str(kDefaultRatioText);
   add_report_option(*command, arguments.report);
   command->footer(
       "Example:\n  sinkmesh inspect rotor.off\n\n"

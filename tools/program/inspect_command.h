@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "tools/program/exit_status.h"
@@ -12,8 +13,8 @@
 namespace sinkmesh::program {
 
 struct InspectArguments {
-  FileArguments files;  // no output
-  double ratio = 2.0;
+  FileArguments files;          // no output
+  std::optional<double> ratio;  // by dimension
   std::string report;
 };
 

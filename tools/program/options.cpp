@@ -4,8 +4,24 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 
 namespace sinkmesh::program {
+namespace {
+
+template <class Compare>
+CLI::Validator within(Compare compare, double limit, const char* complaint, const std::string& why) {
+  return {[=](std::string& text) -> std::string {
+            double value = 0;
+            if (!CLI::detail::lexical_cast(text, value)) return fmt::format("'{}' is not a number", text);
+            if (!std::isfinite(value)) return fmt::format("'{}' is not a finite number", text);
+            if (compare(value, limit)) return {};
+            return fmt::format("{} is {} {:g}{}{}", text, complaint, limit, why.empty() ? "" : ", ", why);
+          },
+          ""};
+}
+
+}  // namespace
 
 void add_file_options(CLI::App& command, FileArguments& files, const std::string& input_help) {
   command.add_option("INPUT", files.input, input_help + "; - is standard input")->required();
@@ -26,15 +42,17 @@ void add_report_option(CLI::App& command, std::string& path) {
   command.add_option("--report", path, "Write all numbers to this file, as JSON")->type_name("FILE");
 }
 
-CLI::Validator at_least(double least, const std::string& why) {
-  return {[=](std::string& text) -> std::string {
-            double value = 0;
-            if (!CLI::detail::lexical_cast(text, value)) return fmt::format("'{}' is not a number", text);
-            if (!std::isfinite(value)) return fmt::format("'{}' is not a finite number", text);
-            if (value >= least) return {};
-            return fmt::format("{} is below {:g}{}{}", text, least, why.empty() ? "" : ", ", why);
-          },
-          ""};
+CLI::Validator at_least(double limit, const std::string& why) {
+  return within(std::greater_equal<>(), limit, "below", why);
+}
+CLI::Validator above(double limit, const std::string& why) {
+  return within(std::greater<>(), limit, "not above", why);
+}
+CLI::Validator at_most(double limit, const std::string& why) {
+  return within(std::less_equal<>(), limit, "above", why);
+}
+CLI::Validator below(double limit, const std::string& why) {
+  return within(std::less<>(), limit, "not below", why);
 }
 
 }  // namespace sinkmesh::program

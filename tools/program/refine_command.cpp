@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "refine/refine.h"
 #include "tools/io/detail/file.h"
 #include "tools/io/write.h"
+#include "tools/program/boundary_account.h"
 #include "tools/program/cancel.h"
 #include "tools/program/history.h"
 #include "tools/program/options.h"
@@ -28,15 +32,32 @@ Fallback fallback_named(const std::string& name) {
   return name == "none" ? Fallback::none : Fallback::circumcenter;
 }
 
+BoundaryMode boundary_named(const std::string& name) {
+  if (name == "auto") return BoundaryMode::automatic;
+  return name == "fixed" ? BoundaryMode::fixed : BoundaryMode::refine;
+}
+
+// Of a triangle with the least angle a, r/l = 1 / (2 sin a). In extended precision, so that 30 degrees are 1.
+double ratio_of_angle(double degrees) {
+  const long double angle = static_cast<long double>(degrees) * std::numbers::pi_v<long double> / 180;
+  return static_cast<double>(1 / (2 * std::sin(angle)));
+}
+
+double ratio_asked(const RefineArguments& arguments, int dim) {
+  if (arguments.min_angle) return ratio_of_angle(*arguments.min_angle);
+  return arguments.ratio.value_or(default_ratio(dim));
+}
+
 // One run, with everything that the summary and the report tell about it.
 template <int Dim>
 class RefineRun {
  public:
   explicit RefineRun(const RefineArguments& arguments)
       : arguments_(arguments),
+        ratio_(ratio_asked(arguments, Dim)),
         progress_(!arguments.quiet),
-        initial_(arguments.ratio),
-        final_(arguments.ratio) {}
+        initial_(ratio_),
+        final_(ratio_) {}
 
   ExitStatus run() {
     const Format format = output_format(arguments_.files, Dim);
@@ -54,17 +75,20 @@ class RefineRun {
     progress_.phase("triangulating");
     SurfaceMesher<Dim> mesher(surface);
     lap("delaunay");
-    const BoundaryResult boundary = mesher.find_domain();
-    lap("domain");
-    initial_ = mesher.statistics(arguments_.ratio);
-    initial_vertices_ = mesher.num_vertices();
     std::optional<History> history;
+    const RefineOptions options = refine_options(history);
+    progress_.phase("finding what is inside");
+    boundary_ = mesher.find_domain(options);
+    lap("domain");
+    if (!boundary_.ok()) return end_without_mesh(surface, mesher);
+    initial_ = mesher.statistics(ratio_);
+    initial_vertices_ = mesher.num_vertices();
     if (!arguments_.history.empty()) history.emplace(initial_vertices_, initial_);
     watch_.lap();
     progress_.phase("refining");
-    result_ = mesher.refine(options(history));
+    result_ = mesher.refine(options);
     lap("refine");
-    final_ = mesher.statistics(arguments_.ratio);
+    final_ = mesher.statistics(ratio_);
     watch_.lap();
 
     progress_.phase("writing");
@@ -78,29 +102,38 @@ class RefineRun {
     if (history_file) history_file->publish();
     lap("write");
     progress_.erase();
-    const double total = watch_.total();
-    if (!arguments_.report.empty()) {
-      io_detail::write_file(arguments_.report, to_text(report(surface, mesher, boundary, total)));
-    }
-    if (!arguments_.quiet) print(summary(surface, mesher, boundary, total), arguments_.files.output == "-");
+    write_report(surface, mesher);
+    if (!arguments_.quiet) print(summary(surface, mesher), arguments_.files.output == "-");
     return result_.stop == Stop::no_candidate ? ExitStatus::done : ExitStatus::stopped_early;
   }
 
  private:
   void lap(const char* phase) { phases_.emplace_back(phase, watch_.lap()); }
 
-  RefineOptions options(std::optional<History>& history) {
+  // The surface could not be conformed: no mesh, no history, but a report.
+  ExitStatus end_without_mesh(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher) {
+    progress_.erase();
+    write_report(surface, mesher);
+    const std::string& input = arguments_.files.input;
+    print(
+        failure_line(boundary_, input == "-" ? "standard input" : input, lines_, surface.facets.size()) + "\n",
+        true);
+    return ExitStatus::stopped_early;
+  }
+
+  RefineOptions refine_options(std::optional<History>& history) {
     RefineOptions options;
-    options.max_ratio = arguments_.ratio;
+    options.max_ratio = ratio_;
     options.insert = insert_named(arguments_.insert);
     options.schedule = schedule_named(arguments_.schedule);
     options.literal = arguments_.literal;
     options.fallback = fallback_named(arguments_.fallback);
+    options.boundary = {boundary_named(arguments_.boundary), arguments_.small_angle, arguments_.flat};
     options.threads = arguments_.threads;
     if (arguments_.max_vertices) options.max_vertices = *arguments_.max_vertices;
     options.should_continue = [this] {
       if (stop_requested()) {
-        progress_.phase("stopping; the mesh so far will be written (Ctrl-C again to end at once)");
+        progress_.phase("stopping (Ctrl-C again to end at once)");
         return Continue::cancelled;
       }
       const bool late = arguments_.time_limit && watch_.total() >= *arguments_.time_limit;
@@ -113,10 +146,23 @@ class RefineRun {
     return options;
   }
 
-  Json report(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher, const BoundaryResult& boundary,
-              double total) const {
+  void write_report(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher) {
+    total_ = watch_.total();
+    if (!arguments_.report.empty()) {
+      io_detail::write_file(arguments_.report, to_text(report(surface, mesher)));
+    }
+  }
+
+  // Why the run ended, conforming or refining.
+  const char* stop_name() const {
+    if (!boundary_.unconformed.empty()) return "unconformed";
+    return name(boundary_.ok() ? result_.stop : boundary_.stop);
+  }
+
+  Json report(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher) const {
     const auto limit = [](const auto& value) { return value ? Json(*value) : Json(); };
     const Triangulation<Dim>& triangulation = mesher.triangulation();
+    const bool has_mesh = boundary_.ok();
     Json report = begin_report("refine");
     report["input"] = {{"path", arguments_.files.input},
                        {"vertices", surface.points.size()},
@@ -124,18 +170,22 @@ class RefineRun {
                        {"dimension", Dim},
                        {"duplicates", triangulation.duplicates().size()},
                        {"rounded_points", triangulation.gate().rounded_points()}};
-    report["options"] = {{"ratio", arguments_.ratio},
+    report["options"] = {{"ratio", ratio_},
                          {"insert", arguments_.insert},
                          {"schedule", arguments_.schedule},
                          {"literal", arguments_.literal},
                          {"fallback", arguments_.fallback},
+                         {"boundary", arguments_.boundary},
+                         {"small_angle", arguments_.small_angle},
+                         {"flat", arguments_.flat},
                          {"threads", arguments_.threads},
                          {"max_vertices", limit(arguments_.max_vertices)},
                          {"time_limit", limit(arguments_.time_limit)}};
-    report["peeled"] = {{"simplices", boundary.peeled_simplices}, {"facets", boundary.peeled_facets}};
-    report["initial"] = to_json(Dim, initial_vertices_, initial_);
-    report["final"] = to_json(Dim, mesher.num_vertices(), final_);
-    report["final"]["histogram"] = histogram(final_);
+    report["peeled"] = {{"simplices", boundary_.peeled_simplices}, {"facets", boundary_.peeled_facets}};
+    report["boundary"] = to_json(boundary_, result_);
+    report["initial"] = has_mesh ? to_json(Dim, initial_vertices_, initial_) : Json();
+    report["final"] = has_mesh ? to_json(Dim, mesher.num_vertices(), final_) : Json();
+    if (has_mesh) report["final"]["histogram"] = histogram(final_);
     report["rounds"] = result_.rounds;
     report["candidates"] = result_.candidates;
     report["prestars"] = result_.prestars;
@@ -144,24 +194,22 @@ class RefineRun {
                           {"crossing", result_.rejected.crossing},
                           {"separation", result_.rejected.separation},
                           {"dependent", result_.rejected.dependent}};
-    report["remaining"] = {
-        {"total", result_.remaining.total()},         {"boundary_facet", result_.remaining.boundary_facet},
-        {"boundary", result_.remaining.boundary},     {"crossing", result_.remaining.crossing},
-        {"separation", result_.remaining.separation}, {"omega", result_.remaining.omega},
-        {"untried", result_.remaining.untried}};
+    const auto leftovers = has_mesh ? mesher.leftovers() : std::vector<Leftover<Dim>>();
+    report["remaining"] = to_json(result_.remaining);
+    report["leftovers"] = to_json(leftovers);
+    report["leftovers_total"] = leftovers.size();
     report["separation"] = result_.separation;
-    report["stop"] = name(result_.stop);
-    report["hash"] = hash_text(mesher.hash());
+    report["stop"] = stop_name();
+    report["hash"] = has_mesh ? Json(hash_text(mesher.hash())) : Json();
     Json seconds;
     for (const auto& [phase, duration] : phases_) seconds[phase] = duration;
-    seconds["total"] = total;
+    seconds["total"] = total_;
     report["seconds"] = seconds;
     report["peak_memory_bytes"] = peak_memory_bytes();
     return report;
   }
 
-  std::string summary(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher,
-                      const BoundaryResult& boundary, double total) const {
+  std::string summary(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher) const {
     Summary summary;
     summary.line("input", fmt::format("{}: {}, {}", printable(arguments_.files.input, 200),
                                       count(surface.points.size(), "vertex", "vertices"),
@@ -170,31 +218,28 @@ class RefineRun {
       summary.line("", fmt::format("{} rounded: coordinates differ too much in size",
                                    count(rounded, "point was", "points were")));
     }
-    summary.line("domain", fmt::format("{} inside", simplices(initial_.simplices(), Dim)));
-    if (boundary.peeled_simplices != 0) {
-      summary.line("",
-                   fmt::format("after {} with {} of the surface were peeled off, from which the flow leads out",
-                               simplices(boundary.peeled_simplices, Dim),
-                               count(boundary.peeled_facets, "facet", "facets")));
-    }
+    add_boundary(summary, boundary_, result_, boundary_named(arguments_.boundary), surface.facets.size(), Dim);
+    const std::string regions = boundary_.regions > 1 ? fmt::format(", in {} regions", boundary_.regions) : "";
+    summary.line("domain", fmt::format("{} inside{}", simplices(initial_.simplices(), Dim), regions));
     add_quality(summary, {{"before", initial_vertices_, &initial_}, {"after", mesher.num_vertices(), &final_}},
-                Dim, arguments_.ratio);
+                Dim, ratio_);
     summary.line("inserted", fmt::format("{} in {}, of {}", count(result_.inserted, "point", "points"),
                                          count(result_.rounds, "round", "rounds"),
                                          count(result_.candidates, "candidate", "candidates")));
-    add_remaining(summary, result_.remaining, arguments_.ratio);
+    add_remaining(summary, result_.remaining, ratio_);
     if (result_.stop != Stop::no_candidate) {
       summary.line("stopped",
                    fmt::format("early, {}; the mesh is valid",
                                result_.stop == Stop::budget ? "at the limit that was set" : "on request"));
     }
-    add_times(summary, phases_, total);
+    add_times(summary, phases_, total_);
     summary.line("output",
                  arguments_.files.output == "-" ? "standard output" : printable(arguments_.files.output, 200));
     return summary.text();
   }
 
   const RefineArguments& arguments_;
+  double ratio_;
   SourceLines lines_;
   Stopwatch watch_;
   ProgressLine progress_;
@@ -202,7 +247,9 @@ class RefineRun {
   std::size_t initial_vertices_ = 0;
   QualityStatistics initial_;
   QualityStatistics final_;
+  BoundaryResult boundary_;
   RefineResult result_;
+  double total_ = 0;
 };
 
 }  // namespace
@@ -210,13 +257,20 @@ class RefineRun {
 CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   CLI::App* const command = program.add_subcommand(
       "refine",
-      "Mesh what a closed surface (in the plane: polygon) bounds, and insert points until it is good");
+      "Mesh what a closed surface (in the plane: segments) bounds, and insert points until it is good");
   add_file_options(*command, arguments.files, "The surface: .off, .obj, .stl, .ply; in the plane: .poly");
   command
       ->add_option("--ratio", arguments.ratio,
                    "Largest ratio of circumradius to shortest edge that is good enough")
       ->check(at_least(1, "the least for which refinement is sure to end"))
-      ->capture_default_str();
+      ->default_str(kDefaultRatioText);
+  command
+      ->add_option("--min-angle", arguments.min_angle,
+                   "In the plane: the smallest angle that is good enough; another way of saying --ratio")
+      ->check(above(0))
+      ->check(at_most(30, "the largest for which refinement is sure to end"))
+      ->type_name("DEGREES")
+      ->default_str("30");
   command->add_option("--insert", arguments.insert, "Which points to insert")
       ->check(CLI::IsMember({"sink", "circumcenter"}))
       ->capture_default_str();
@@ -228,6 +282,30 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
       "With --schedule block or parallel: rounds as published, without pruning; the same mesh, more slowly");
   command->add_option("--fallback", arguments.fallback, "What to do where no sink can be inserted")
       ->check(CLI::IsMember({"none", "circumcenter"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--boundary", arguments.boundary,
+          "Keep the facets of the surface, or divide them where they are not Delaunay, not stable, or in "
+          "the way of quality; auto keeps them if all are stable as given")
+      ->check(CLI::IsMember({"auto", "fixed", "refine"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--small-angle", arguments.small_angle,
+          "Angles of the surface up to this one excuse simplices of low quality; smaller attacks more, "
+          "with more points")
+      ->check(above(0))
+      ->check(at_most(60))
+      ->type_name("DEGREES")
+      ->capture_default_str();
+  command
+      ->add_option("--flat", arguments.flat,
+                   "Facets that lie this near to one plane, as a fraction of the diagonal of the surface, are "
+                   "divided as one; 0: exactly coplanar ones only")
+      ->check(at_least(0))
+      ->check(below(1, "of which it is a fraction"))
+      ->type_name("FRACTION")
       ->capture_default_str();
   command
       ->add_option("--threads", arguments.threads,
@@ -247,7 +325,7 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   command->footer(
       "Example:\n  sinkmesh refine rotor.off -o rotor.vtu --ratio 1.5 --report rotor.json\n\n"
       "Exit status: 0 done; 1 a file cannot be used; 2 wrong usage; 3 stopped early (limit, Ctrl-C),\n"
-      "the mesh so far is written; 4 internal error.");
+      "the mesh so far is written, but none if facets could not yet be made Delaunay; 4 internal error.");
   return command;
 }
 
@@ -255,8 +333,15 @@ ExitStatus run(const RefineArguments& arguments) {
   if (arguments.literal && arguments.schedule == "incremental") {
     throw UsageError("--literal goes with --schedule block or parallel only");
   }
+  if (arguments.min_angle && arguments.ratio) {
+    throw UsageError("--min-angle is another way of saying --ratio: give one of them");
+  }
   require_distinct(arguments.files, {{"--report", arguments.report}, {"--history", arguments.history}});
   if (surface_dimension(arguments.files) == 2) return RefineRun<2>(arguments).run();
+  if (arguments.min_angle) {
+    throw UsageError(
+        "--min-angle is for the plane: in space a bound on r/l bounds no angle of a tetrahedron; give --ratio");
+  }
   return RefineRun<3>(arguments).run();
 }
 

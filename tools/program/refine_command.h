@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "refine/options.h"
 #include "tools/program/exit_status.h"
 #include "tools/program/files.h"
 
@@ -15,10 +16,14 @@ namespace sinkmesh::program {
 
 struct RefineArguments {
   FileArguments files;
-  double ratio = 2.0;
+  std::optional<double> ratio;      // by dimension
+  std::optional<double> min_angle;  // the same in degrees, in the plane
   std::string insert = "sink";
   std::string schedule = "incremental";
   std::string fallback = "none";
+  std::string boundary = "auto";
+  double small_angle = BoundaryOptions().small_angle;
+  double flat = BoundaryOptions().flat;
   bool literal = false;
   unsigned threads = 1;
   std::optional<std::size_t> max_vertices;

@@ -9,6 +9,29 @@
 #include "tools/program/text.h"
 
 namespace sinkmesh::program {
+namespace {
+
+std::string_view phrase(LeftoverReason reason) {
+  switch (reason) {
+    case LeftoverReason::boundary_facet:
+      return "on a boundary facet whose own r/l is above the bound";
+    case LeftoverReason::boundary:
+      return "whose points would encroach upon the boundary";
+    case LeftoverReason::crossing:
+      return "whose points would reach through the boundary";
+    case LeftoverReason::separation:
+      return "whose points would be too near to other vertices";
+    case LeftoverReason::omega:
+      return "that flow to the outside only";
+    case LeftoverReason::small_angle:
+      return "at a small angle of the surface: no mesh of it is without such";
+    case LeftoverReason::untried:
+      return "not tried: the run ended before";
+  }
+  return "";
+}
+
+}  // namespace
 
 void Summary::line(std::string_view heading, std::string_view text) {
   fmt::format_to(std::back_inserter(text_), "{:<12}{}\n", heading, text);
@@ -57,17 +80,10 @@ void add_histogram(Summary& summary, const QualityStatistics& quality) {
 
 void add_remaining(Summary& summary, const Remaining& remaining, double max_ratio) {
   if (remaining.total() == 0) return;
-  const std::vector<std::pair<std::size_t, std::string_view>> reasons = {
-      {remaining.boundary_facet, "on a boundary facet whose own r/l is above the bound"},
-      {remaining.boundary, "whose points would encroach upon the boundary"},
-      {remaining.crossing, "whose points would reach through the boundary"},
-      {remaining.separation, "whose points would be too near to other vertices"},
-      {remaining.omega, "that flow to the outside only"},
-      {remaining.untried, "not tried: the run ended before"},
-  };
   summary.line("remaining", fmt::format("{} above {:g}:", grouped(remaining.total()), max_ratio));
-  for (const auto& [number, reason] : reasons) {
-    if (number != 0) summary.line("", fmt::format("{:>9} {}", grouped(number), reason));
+  for (const LeftoverReason reason : kLeftoverReasons) {
+    const std::size_t number = remaining.count(reason);
+    if (number != 0) summary.line("", fmt::format("{:>9} {}", grouped(number), phrase(reason)));
   }
 }
 

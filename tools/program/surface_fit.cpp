@@ -29,7 +29,7 @@ SurfaceFit fit(const Surface<Dim>& surface, double max_ratio) {
   result.vertices = points.size();
   const Triangulation<Dim> triangulation(points);
   Domain<Dim> domain(triangulation);
-  result.missing = domain.label_facets(facets);
+  result.missing = domain.label_facets(facets, surface.seeds);
   if (!result.missing.empty()) return result;
   Flow<Dim> flow(triangulation);
   for (const HalfFacet h : domain.boundary()) result.unstable += flow.crosses(h) ? 1 : 0;

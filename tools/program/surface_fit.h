@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether refinement can work on a surface as it is.
+// Whether refinement can keep a surface as it is.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,8 @@ struct SurfaceFit {
   std::size_t vertices = 0;
   /// Of all simplices inside.
   QualityStatistics quality;
-  /// Simplices that would be peeled off, since the flow leads out from them; and the facets that go with them.
+  /// With a fixed boundary: simplices that would be peeled off, since the flow leads out from them; and the
+  /// facets that go with them.
   std::size_t peeled_simplices = 0;
   std::size_t peeled_facets = 0;
 };

@@ -171,6 +171,7 @@ void describe_fit(const Surface<Dim>& surface, double max_ratio, Inspection& ins
   Json& report = inspection.report;
   const SurfaceFit found = fit(surface, max_ratio);
   report["missing_facets"] = found.missing.size();
+  report["stable"] = found.missing.empty() && found.unstable == 0;
   std::vector<std::size_t> named = found.missing;
   named.resize(std::min(named.size(), kFacetsNamed));
   report["first_missing_facets"] = named;
@@ -180,7 +181,7 @@ void describe_fit(const Surface<Dim>& surface, double max_ratio, Inspection& ins
                                          grouped(found.missing.size()),
                                          count(surface.facets.size(), "facet is", "facets are")));
     summary.line("", fmt::format("facets {}{}", fmt::join(named, " "), rest));
-    summary.line("", "  what to do: divide the surface more finely there");
+    summary.line("", "refine divides facets until all pieces are; --boundary fixed refuses the surface");
     return;
   }
   report["unstable_facets"] = found.unstable;
@@ -188,13 +189,13 @@ void describe_fit(const Surface<Dim>& surface, double max_ratio, Inspection& ins
   report["inside"] = to_json(Dim, found.vertices, found.quality);
   summary.line("Delaunay", "yes: every facet is in the Delaunay triangulation of the vertices");
   if (found.unstable == 0) {
-    summary.line("stable", "yes: refinement keeps the surface as it is");
+    summary.line("stable", "yes: refine keeps the surface as it is, unless asked for --boundary refine");
   } else {
     summary.line("stable",
-                 fmt::format("no: the flow leads out through {}; refinement peels off {} and {}",
-                             count(found.unstable, "facet", "facets"), simplices(found.peeled_simplices, Dim),
-                             count(found.peeled_facets, "facet", "facets")));
-    summary.line("", "  what to do: divide the surface more finely where it is thin or bends sharply");
+                 fmt::format("no: the flow leads out through {}", count(found.unstable, "facet", "facets")));
+    summary.line(
+        "", fmt::format("refine divides facets until none does; --boundary fixed peels off {} and {}",
+                        simplices(found.peeled_simplices, Dim), count(found.peeled_facets, "facet", "facets")));
   }
   summary.line("inside",
                fmt::format("{}, {} of them with r/l above {:g}", simplices(found.quality.simplices(), Dim),

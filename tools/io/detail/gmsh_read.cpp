@@ -6,6 +6,7 @@
 
 #include "tools/io/detail/codecs.h"
 #include "tools/io/detail/concat.h"
+#include "tools/io/detail/references.h"
 #include "tools/io/detail/shapes.h"
 #include "tools/io/detail/text_reader.h"
 
@@ -86,10 +87,8 @@ class GmshReader {
     facets_.sort();
     mesh_.simplices = std::move(simplices_.cells);
     mesh_.boundary = std::move(facets_.cells);
-    const auto& physical = simplices_.physical;
-    if (std::any_of(physical.begin(), physical.end(), [](std::int64_t tag) { return tag != 0; })) {
-      mesh_.simplex_fields.push_back({"physical", std::move(simplices_.physical)});
-    }
+    add_references(mesh_.simplex_fields, "physical", std::move(simplices_.physical));
+    add_references(mesh_.boundary_fields, "physical", std::move(facets_.physical));
     return std::move(mesh_);
   }
 
@@ -161,10 +160,11 @@ class GmshReader {
         const std::int64_t physical = groups == 0 ? 0 : text_.integer("a physical tag");
         skip_integers(groups == 0 ? 0 : groups - 1);
         if (dim != 0) skip_integers(text_.count("the number of bounding entities", 2));
-        if (dim == Dim) physical_of_entity_.add(tag, physical);
+        if (dim == Dim) simplex_physical_.add(tag, physical);
+        if (dim == Dim - 1) facet_physical_.add(tag, physical);
       }
     }
-    if (!physical_of_entity_.finish())
+    if (!simplex_physical_.finish() || !facet_physical_.finish())
       text_.fail("two entities have the same tag: correct the section $Entities");
   }
 
@@ -230,7 +230,9 @@ class GmshReader {
       const std::int64_t entity = text_.integer("an entity tag");
       const std::int64_t type = text_.integer("an element type");
       const std::size_t rows = text_.count("the number of elements in a block", 4);
-      const std::int64_t* const physical = dim == Dim ? physical_of_entity_.find(entity) : nullptr;
+      const std::int64_t* const physical = dim == Dim       ? simplex_physical_.find(entity)
+                                           : dim == Dim - 1 ? facet_physical_.find(entity)
+                                                            : nullptr;
       for (std::size_t i = 0; i < rows; ++i) {
         element(text_.integer("an element tag"), type, physical != nullptr ? *physical : 0);
       }
@@ -273,7 +275,8 @@ class GmshReader {
   TextReader text_;
   Mesh<Dim> mesh_;
   TagMap index_of_node_;
-  TagMap physical_of_entity_;
+  TagMap simplex_physical_;  // of entities
+  TagMap facet_physical_;
   TaggedCells<typename Mesh<Dim>::Simplex> simplices_;
   TaggedCells<typename Mesh<Dim>::Facet> facets_;
   int version_ = 0;

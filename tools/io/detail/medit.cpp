@@ -6,6 +6,7 @@
 
 #include "tools/io/detail/codecs.h"
 #include "tools/io/detail/concat.h"
+#include "tools/io/detail/references.h"
 #include "tools/io/detail/shapes.h"
 #include "tools/io/detail/text_reader.h"
 #include "tools/io/detail/text_writer.h"
@@ -53,9 +54,8 @@ class MeditReader {
       section(keyword);
     }
     if (!has_points_) text_.fail_at_end("the section Vertices");
-    if (std::any_of(references_.begin(), references_.end(), [](std::int64_t r) { return r != 0; })) {
-      mesh_.simplex_fields.push_back({"reference", std::move(references_)});
-    }
+    add_references(mesh_.simplex_fields, "reference", std::move(simplex_references_));
+    add_references(mesh_.boundary_fields, "reference", std::move(facet_references_));
     return std::move(mesh_);
   }
 
@@ -70,9 +70,9 @@ class MeditReader {
     } else if (keyword == "Vertices") {
       points();
     } else if (keyword == Shapes<Dim>::kMeditSimplices) {
-      cells(mesh_.simplices, &references_);
+      cells(mesh_.simplices, simplex_references_);
     } else if (keyword == Shapes<Dim>::kMeditFacets) {
-      cells(mesh_.boundary, nullptr);
+      cells(mesh_.boundary, facet_references_);
     } else {
       skip(keyword);
     }
@@ -91,14 +91,13 @@ class MeditReader {
   }
 
   template <class Cell>
-  void cells(std::vector<Cell>& out, std::vector<std::int64_t>* references) {
+  void cells(std::vector<Cell>& out, std::vector<std::int64_t>& references) {
     if (!has_points_) text_.fail("simplices come before the section Vertices: put the vertices first");
     const std::size_t old = out.size();
     out.resize(old + text_.count("the number of simplices", 2 * std::tuple_size_v<Cell> + 2));
     for (std::size_t i = old; i < out.size(); ++i) {
       for (std::uint32_t& v : out[i]) v = text_.index(mesh_.points.size(), 1, "vertex");
-      const std::int64_t reference = text_.integer("a reference");
-      if (references != nullptr) references->push_back(reference);
+      references.push_back(text_.integer("a reference"));
     }
   }
 
@@ -118,7 +117,8 @@ class MeditReader {
 
   TextReader text_;
   Mesh<Dim> mesh_;
-  std::vector<std::int64_t> references_;
+  std::vector<std::int64_t> simplex_references_;
+  std::vector<std::int64_t> facet_references_;
   bool has_dimension_ = false;
   bool has_points_ = false;
 };
@@ -126,11 +126,11 @@ class MeditReader {
 // Rows of 1-based indices and a reference.
 template <class Cell>
 void append_section(TextWriter& out, const char* keyword, const std::vector<Cell>& cells,
-                    const std::vector<std::int64_t>* references) {
+                    const std::vector<std::int64_t>& references) {
   out << keyword << '\n' << cells.size() << '\n';
   for (std::size_t i = 0; i < cells.size(); ++i) {
     for (const std::uint32_t v : cells[i]) out << std::uint64_t{v} + 1 << ' ';
-    out << (references != nullptr ? (*references)[i] : 0) << '\n';
+    out << references[i] << '\n';
   }
 }
 
@@ -149,9 +149,8 @@ std::string encode_medit(const Mesh<Dim>& mesh) {
     for (const double x : p) out << x << ' ';
     out << "0\n";
   }
-  append_section(out, Shapes<Dim>::kMeditSimplices, mesh.simplices,
-                 mesh.simplex_fields.empty() ? nullptr : &mesh.simplex_fields.front().values);
-  append_section(out, Shapes<Dim>::kMeditFacets, mesh.boundary, nullptr);
+  append_section(out, Shapes<Dim>::kMeditSimplices, mesh.simplices, simplex_references(mesh));
+  append_section(out, Shapes<Dim>::kMeditFacets, mesh.boundary, facet_references(mesh));
   out << "End\n";
   return out.take();
 }

@@ -6,6 +6,7 @@
 
 #include "tools/io/detail/codecs.h"
 #include "tools/io/detail/concat.h"
+#include "tools/io/detail/references.h"
 #include "tools/io/detail/shapes.h"
 #include "tools/io/detail/text_reader.h"
 #include "tools/io/detail/text_writer.h"
@@ -42,6 +43,11 @@ void stay_on_line(TextReader& text, const char* what) {
 double read_number(TextReader& text, const char* what) {
   stay_on_line(text, what);
   return text.number(what);
+}
+
+std::int64_t read_integer(TextReader& text, const char* what) {
+  stay_on_line(text, what);
+  return text.integer(what);
 }
 
 std::uint32_t read_index(TextReader& text, std::size_t size, std::int64_t first) {
@@ -154,16 +160,73 @@ template <int Dim>
 void decode_face(const Source& source, std::int64_t first, Mesh<Dim>& mesh) {
   TextReader text(source.bytes, source.file);
   const std::size_t rows = text.count("the number of facets", 2 * Dim + 2);
-  if (!text.at_line_end()) read_small(text, "the number of markers");
+  const bool has_markers = !text.at_line_end() && read_small(text, "the number of markers") != 0;
   const std::int64_t first_row = read_first_number(text, rows);
+  std::vector<std::int64_t> markers;
   mesh.boundary.resize(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     read_row_number(text, first_row, i);
     for (std::uint32_t& v : mesh.boundary[i]) v = read_index(text, mesh.points.size(), first);
-    text.drop_line();  // markers and neighbors
+    if (has_markers) markers.push_back(read_integer(text, "a marker"));
+    text.drop_line();  // neighbors
   }
   check_end(text);
+  add_references(mesh.boundary_fields, "marker", std::move(markers));
 }
+
+namespace {
+
+void read_segments(TextReader& text, std::int64_t first_point, SourceLines* lines, Surface2& surface) {
+  surface.facets.resize(text.count("the number of segments", 6));
+  const std::int64_t markers = text.at_line_end() ? 0 : read_small(text, "the number of markers");
+  const std::int64_t first_row = read_first_number(text, surface.facets.size());
+  for (std::size_t i = 0; i < surface.facets.size(); ++i) {
+    read_row_number(text, first_row, i);
+    if (lines != nullptr) lines->facets.push_back(text.line());
+    for (std::uint32_t& v : surface.facets[i]) v = read_index(text, surface.points.size(), first_point);
+    if (markers != 0) surface.facet_tags.push_back(read_integer(text, "a marker"));
+    for (std::int64_t k = 1; k < markers; ++k) read_integer(text, "a marker");
+    end_row(text);
+  }
+}
+
+Point2 read_seed(TextReader& text) {
+  Point2 p;
+  for (double& x : p) x = read_number(text, "a coordinate");
+  return p;
+}
+
+void read_holes(TextReader& text, Surface2& surface) {
+  const std::size_t rows = text.count("the number of holes", 6);
+  const std::int64_t first_row = read_first_number(text, rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    read_row_number(text, first_row, i);
+    surface.seeds.holes.push_back(read_seed(text));
+    end_row(text);
+  }
+}
+
+// Triangle's attributes are reals; tags are not, and a rounded one could be that of another region.
+void read_regions(TextReader& text, Surface2& surface) {
+  const std::size_t rows = text.count("the number of regions", 8);
+  const std::int64_t first_row = read_first_number(text, rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    read_row_number(text, first_row, i);
+    const Point2 p = read_seed(text);
+    stay_on_line(text, "the attribute of a region");
+    const std::string word(text.peek());
+    const double attribute = text.number("the attribute of a region");
+    if (!is_whole(attribute)) {
+      text.fail(concat("the attribute of this region is ", printable(word),
+                       ": it becomes the tag of the region, which is a whole number; number the regions"));
+    }
+    surface.seeds.regions.push_back({p, static_cast<std::int64_t>(attribute)});
+    if (!text.at_line_end()) read_number(text, "the largest area in a region");
+    end_row(text);
+  }
+}
+
+}  // namespace
 
 Surface2 decode_poly(const Source& source, const std::optional<Source>& nodes) {
   TextReader text(source.bytes, source.file);
@@ -178,16 +241,11 @@ Surface2 decode_poly(const Source& source, const std::optional<Source>& nodes) {
   }
   Surface2 surface;
   surface.points = std::move(node_file.points);
-  surface.facets.resize(text.count("the number of segments", 6));
-  const std::int64_t markers = text.at_line_end() ? 0 : read_small(text, "the number of markers");
-  const std::int64_t first_row = read_first_number(text, surface.facets.size());
-  for (std::size_t i = 0; i < surface.facets.size(); ++i) {
-    read_row_number(text, first_row, i);
-    if (source.lines != nullptr) source.lines->facets.push_back(text.line());
-    for (std::uint32_t& v : surface.facets[i]) v = read_index(text, surface.points.size(), node_file.first);
-    for (std::int64_t k = 0; k < markers; ++k) read_number(text, "a marker");
-  }
-  // Holes and regions follow; what is inside is decided by parity here.
+  read_segments(text, node_file.first, source.lines, surface);
+  // Files that end here are common, though Triangle wants the holes.
+  if (!text.at_end()) read_holes(text, surface);
+  if (!text.at_end()) read_regions(text, surface);
+  check_end(text);
   return surface;
 }
 
@@ -214,17 +272,34 @@ std::string encode_ele(const Mesh<Dim>& mesh) {
 
 template <int Dim>
 std::string encode_face(const Mesh<Dim>& mesh) {
+  const bool has_markers = !mesh.boundary_fields.empty();
+  const std::vector<std::int64_t> markers = facet_references(mesh);
   TextWriter out;
-  out << mesh.boundary.size() << " 0\n";
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) (out << i << ' ').row(mesh.boundary[i]);
+  out << mesh.boundary.size() << (has_markers ? " 1\n" : " 0\n");
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
+    out << i;
+    for (const std::uint32_t v : mesh.boundary[i]) out << ' ' << v;
+    if (has_markers) out << ' ' << markers[i];
+    out << '\n';
+  }
   return out.take();
 }
 
 std::string encode_poly(const Surface2& surface) {
+  const bool has_markers = !surface.facet_tags.empty();
   TextWriter out;
-  out << encode_node<2>(surface.points) << surface.facets.size() << " 0\n";
-  for (std::size_t i = 0; i < surface.facets.size(); ++i) (out << i << ' ').row(surface.facets[i]);
-  out << "0\n";
+  out << encode_node<2>(surface.points) << surface.facets.size() << (has_markers ? " 1\n" : " 0\n");
+  for (std::size_t i = 0; i < surface.facets.size(); ++i) {
+    out << i << ' ' << surface.facets[i][0] << ' ' << surface.facets[i][1];
+    if (has_markers) out << ' ' << surface.facet_tags[i];
+    out << '\n';
+  }
+  out << surface.seeds.holes.size() << '\n';
+  for (std::size_t i = 0; i < surface.seeds.holes.size(); ++i) (out << i << ' ').row(surface.seeds.holes[i]);
+  if (!surface.seeds.regions.empty()) out << surface.seeds.regions.size() << '\n';
+  for (std::size_t i = 0; i < surface.seeds.regions.size(); ++i) {
+    (out << i << ' ').row(surface.seeds.regions[i].point, ' ') << surface.seeds.regions[i].tag << '\n';
+  }
   return out.take();
 }
 

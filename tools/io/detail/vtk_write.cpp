@@ -4,6 +4,7 @@
 #include "tools/io/detail/codecs.h"
 #include "tools/io/detail/shapes.h"
 #include "tools/io/detail/text_writer.h"
+#include "tools/io/detail/vtk_cells.h"
 
 namespace sinkmesh::io_detail {
 namespace {
@@ -27,7 +28,9 @@ std::string encoded(std::string_view name) {
 
 template <int Dim>
 std::string encode_vtk(const Mesh<Dim>& mesh) {
+  const auto facets = vtk_facets(mesh);
   const std::size_t simplices = mesh.simplices.size();
+  const std::size_t cells = simplices + facets.size();
   TextWriter out;
   out << "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << mesh.points.size()
       << " double\n";
@@ -35,14 +38,18 @@ std::string encode_vtk(const Mesh<Dim>& mesh) {
     out.row(p, Dim == 2 ? ' ' : '\n');
     if (Dim == 2) out << "0\n";
   }
-  out << "CELLS " << simplices << ' ' << simplices * (Dim + 2) << '\n';
+  out << "CELLS " << cells << ' ' << simplices * (Dim + 2) + facets.size() * (Dim + 1) << '\n';
   for (const auto& s : mesh.simplices) (out << Dim + 1 << ' ').row(s);
-  out << "CELL_TYPES " << simplices << '\n';
-  for (std::size_t i = 0; i < simplices; ++i) out << Shapes<Dim>::kVtkSimplex << '\n';
-  if (!mesh.simplex_fields.empty()) out << "CELL_DATA " << simplices << '\n';
-  for (const auto& field : mesh.simplex_fields) {
-    out << "SCALARS " << encoded(field.name) << " long 1\nLOOKUP_TABLE default\n";
-    for (const std::int64_t value : field.values) out << value << '\n';
+  for (const auto& f : facets) (out << Dim << ' ').row(f);
+  out << "CELL_TYPES " << cells << '\n';
+  for (std::size_t i = 0; i < cells; ++i) {
+    out << (i < simplices ? Shapes<Dim>::kVtkSimplex : Shapes<Dim>::kVtkFacet) << '\n';
+  }
+  const std::vector<VtkField> fields = vtk_fields(mesh);
+  if (!fields.empty()) out << "CELL_DATA " << cells << '\n';
+  for (const auto& [name, values] : fields) {
+    out << "SCALARS " << encoded(name) << " long 1\nLOOKUP_TABLE default\n";
+    for (const std::int64_t value : values) out << value << '\n';
   }
   return out.take();
 }

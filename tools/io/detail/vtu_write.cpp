@@ -6,6 +6,7 @@
 #include "tools/io/detail/concat.h"
 #include "tools/io/detail/scalars.h"
 #include "tools/io/detail/shapes.h"
+#include "tools/io/detail/vtk_cells.h"
 
 namespace sinkmesh::io_detail {
 namespace {
@@ -84,30 +85,38 @@ template <int Dim>
 std::string encode_vtu(const Mesh<Dim>& mesh) {
   const std::size_t points = mesh.points.size();
   const std::size_t simplices = mesh.simplices.size();
-  VtuWriter out(24 * points + (8 * (Dim + 2 + mesh.simplex_fields.size()) + 1) * simplices + 1024);
+  const auto facets = vtk_facets(mesh);
+  const std::size_t cells = simplices + facets.size();
+  const std::vector<VtkField> fields = vtk_fields(mesh);
+  VtuWriter out(24 * points + (8 * (Dim + 2 + fields.size()) + 1) * cells + 1024);
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n"
          "<UnstructuredGrid>\n"
-      << concat("<Piece NumberOfPoints=\"", points, "\" NumberOfCells=\"", simplices, "\">\n<Points>\n");
+      << concat("<Piece NumberOfPoints=\"", points, "\" NumberOfCells=\"", cells, "\">\n<Points>\n");
   out.array<double>("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", 3 * points);
   for (const auto& p : mesh.points) {
     for (const double x : p) out.append(x);
     if constexpr (Dim == 2) out.append(0.0);
   }
   out << "</Points>\n<Cells>\n";
-  out.array<std::int64_t>("Int64", "Name=\"connectivity\"", (Dim + 1) * simplices);
-  for (const auto& s : mesh.simplices) {
-    for (const std::uint32_t v : s) out.append(static_cast<std::int64_t>(v));
+  out.array<std::int64_t>("Int64", "Name=\"connectivity\"", (Dim + 1) * simplices + Dim * facets.size());
+  const auto append_corners = [&](const auto& cell) {
+    for (const std::uint32_t v : cell) out.append(static_cast<std::int64_t>(v));
+  };
+  for (const auto& s : mesh.simplices) append_corners(s);
+  for (const auto& f : facets) append_corners(f);
+  out.array<std::int64_t>("Int64", "Name=\"offsets\"", cells);
+  std::int64_t offset = 0;
+  for (std::size_t i = 0; i < cells; ++i) out.append(offset += i < simplices ? Dim + 1 : Dim);
+  out.array<std::uint8_t>("UInt8", "Name=\"types\"", cells);
+  for (std::size_t i = 0; i < cells; ++i) {
+    out.append(static_cast<std::uint8_t>(i < simplices ? Shapes<Dim>::kVtkSimplex : Shapes<Dim>::kVtkFacet));
   }
-  out.array<std::int64_t>("Int64", "Name=\"offsets\"", simplices);
-  for (std::size_t i = 1; i <= simplices; ++i) out.append(static_cast<std::int64_t>((Dim + 1) * i));
-  out.array<std::uint8_t>("UInt8", "Name=\"types\"", simplices);
-  for (std::size_t i = 0; i < simplices; ++i) out.append(static_cast<std::uint8_t>(Shapes<Dim>::kVtkSimplex));
   out << "</Cells>\n<CellData>\n";
-  for (const auto& field : mesh.simplex_fields) {
-    out.array<std::int64_t>("Int64", concat("Name=\"", escaped(field.name), "\""), simplices);
-    for (const std::int64_t value : field.values) out.append(value);
+  for (const auto& [name, values] : fields) {
+    out.array<std::int64_t>("Int64", concat("Name=\"", escaped(name), "\""), cells);
+    for (const std::int64_t value : values) out.append(value);
   }
   out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n";
   return std::move(out).take();
