@@ -517,15 +517,53 @@ std::vector<Simplex> Conformer<Dim>::label_new() {
 // Flat simplices.
 
 template <int Dim>
-bool Conformer<Dim>::is_flat(Simplex s) const {
+bool Conformer<Dim>::is_on_one_patch(Simplex s) const {
   if constexpr (Dim == 2) return false;
   const auto& features = boundary_->features();
+  for (int i = 0; i <= Dim; ++i) {
+    if (!features.is_on_boundary(complex().corner(s, i))) return false;
+  }
   for (const std::uint32_t patch : features.patches_at(complex().corner(s, 0))) {
-    bool is_flat = true;
-    for (int i = 1; i <= Dim; ++i) is_flat = is_flat && features.is_on_patch(complex().corner(s, i), patch);
-    if (is_flat) return true;
+    bool all_on = true;
+    for (int i = 1; i <= Dim; ++i) all_on = all_on && features.is_on_patch(complex().corner(s, i), patch);
+    if (all_on) return true;
   }
   return false;
+}
+
+template <int Dim>
+bool Conformer<Dim>::expel(Simplex s) {
+  if constexpr (Dim == 2) {
+    return false;
+  } else {
+    std::vector<int> walls;
+    std::vector<int> others;
+    for (int i = 0; i < 4; ++i) (domain_->is_wall(Complex<3>::half_facet(s, i)) ? walls : others).push_back(i);
+    if (walls.empty()) return false;  // its turn comes when those before it are out
+    const SubFacet f = boundary_->at(Complex<3>::half_facet(s, walls[0]));
+    const auto beyond = domain_->region(complex().neighbor(s, walls[0]));
+    const auto is_gabriel = [&](int i) {
+      const HalfFacet h = Complex<3>::half_facet(s, i);
+      for (const HalfFacet side : {h, complex().mate(h)}) {
+        const Point3& apex = complex().point(complex().apex(side));
+        if (triangulation_->predicates().diametral_side(complex().facet_corners(h), apex) < 0) return false;
+      }
+      return true;
+    };
+    if (walls.size() == 2 && beyond == Domain<3>::kOutside && is_gabriel(others[0]) && is_gabriel(others[1])) {
+      const auto& corners = boundary_->sub_facets()[f].corners;
+      const Vertex off_edge = complex().corner(s, walls[1]);
+      const auto k =
+          static_cast<std::size_t>(std::find(corners.begin(), corners.end(), off_edge) - corners.begin());
+      if (PatchTriangulation(*boundary_).flip(f, k, created_)) {
+        created_.clear();
+        if (on_removal) on_removal(s);
+        domain_->set_region(s, beyond);
+        return true;
+      }
+    }
+    return split(f, 0, 0);
+  }
 }
 
 template class Conformer<2>;

@@ -61,11 +61,12 @@ class Conformer {
   /// Called for each inside simplex that is about to be replaced; may be empty.
   std::function<void(Simplex)> on_removal;
 
-  /// Exchanges the two sub-facets at an inside simplex that has all its vertices on one patch for its two other
-  /// facets, or divides one of them: the simplex is flat but for rounding, and does not stay inside [BR, 8].
-  /// @return whether anything was done.
+  /// Whether all vertices of a simplex lie on one patch: it is flat, but for rounding.
+  bool is_on_one_patch(Simplex s) const;
+  /// Moves a flat inside simplex out, by taking its two other facets for the two sub-facets that it has; where
+  /// that would not be conforming, or its sub-facets are not two, divides one of them [BR, 8].
+  /// @return whether the mesh has changed; then call conform() and label_new().
   bool expel(Simplex s);
-  bool is_flat(Simplex s) const;
 
   std::size_t points_on_segments() const { return points_on_segments_; }
   std::size_t points_on_patches() const { return points_on_patches_; }

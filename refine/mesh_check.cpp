@@ -318,7 +318,8 @@ class MeshChecker {
         const std::size_t h = (Dim + 1) * s + i;
         const std::uint32_t mate = mate_[h];
         if (mate == kNone) {
-          check_.unstable_facets += flows ? 1 : 0;
+          const Point<Dim>& apex = points_[vertices[i]];
+          check_.unstable_facets += predicates.diametral_side(facet, apex) < 0 ? 1 : 0;
         } else if (h < mate) {
           const int side = in_sphere(corners(s), points_[numbered(mate / (Dim + 1))[mate % (Dim + 1)]]);
           check_.facets_not_delaunay += side > 0 ? 1 : 0;

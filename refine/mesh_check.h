@@ -63,8 +63,8 @@ struct MeshCheck {
   std::size_t first_not_delaunay = 0;
   /// Simplices that contain their circumcenters, ties resolved as in the flow relation [EG01, 3.3].
   std::size_t sinks = 0;
-  /// Boundary facets across which their simplices flow; without any, the mesh is a stable subcomplex if it is
-  /// Delaunay [EG01, 5.1].
+  /// Boundary facets beyond which the circumcenter of their simplex lies, strictly; without any, the mesh is a
+  /// stable subcomplex if it is Delaunay [EG01, 5.1].
   std::size_t unstable_facets = 0;
 
   bool is_delaunay() const { return ok() && simplices_not_delaunay == 0; }

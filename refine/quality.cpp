@@ -98,6 +98,35 @@ Shape facet_shape<2>(FacetCorners<2> corners) {
   return {length2 / 4, length2};
 }
 
+namespace {
+
+template <std::size_t N, class P>
+double longest_edge(const std::array<const P*, N>& corners) {
+  double longest2 = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      longest2 = std::max(longest2, squared_distance(*corners[i], *corners[j]));
+  }
+  return std::sqrt(longest2);
+}
+
+}  // namespace
+
+template <>
+double flatness<2>(const Corners<2>& corners) {
+  const double longest = longest_edge(corners);
+  const Point2& a = *corners[0];
+  return std::abs(cross(*corners[1] - a, *corners[2] - a)) / (2 * longest * longest);
+}
+
+template <>
+double flatness<3>(const Corners<3>& corners) {
+  const double longest = longest_edge(corners);
+  const Point3& a = *corners[0];
+  const double six_volumes = std::abs(dot(*corners[1] - a, cross(*corners[2] - a, *corners[3] - a)));
+  return six_volumes / (6 * longest * longest * longest);
+}
+
 // The facets opposite i and j have normals N_i, N_j with N_i x N_j = D times the edge that they share, up to
 // sign: the sine comes without cancellation.
 template <>

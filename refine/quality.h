@@ -37,6 +37,10 @@ struct Angles {
 template <int Dim>
 Angles angles(const Corners<Dim>& corners);
 
+/// Volume divided by the longest edge to the power of Dim; rounded.
+template <int Dim>
+double flatness(const Corners<Dim>& corners);
+
 /// Statistics over the simplices of a mesh.
 class QualityStatistics {
  public:

@@ -13,6 +13,7 @@
 #include "refine/budget.h"
 #include "refine/conformer.h"
 #include "refine/refiner.h"
+#include "refine/self_intersections.h"
 #include "refine/surface_check.h"
 #include "refine/vector.h"
 
@@ -87,9 +88,10 @@ struct SurfaceMesher<Dim>::State {
         flow(triangulation) {}
 
   BoundaryResult find_fixed();
+  void require_no_crossing() const;
   BoundaryResult conform(std::span<const HalfFacet> found, const RefineOptions& options);
   bool is_stable();
-  std::uint32_t parent_of(HalfFacet wall) const;
+  std::vector<std::int64_t> parents_of(std::span<const HalfFacet> walls) const;
 
   std::vector<Point<Dim>> surface_points;
   std::vector<std::int64_t> facet_tags;
@@ -200,6 +202,7 @@ BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
     state.domain.label(state.used.facets, Domain<Dim>::walls_at(found), state.seeds);
     if (mode == BoundaryMode::fixed || state.is_stable()) return state.find_fixed();
   }
+  if (missing != 0) state.require_no_crossing();
   return state.conform(found, options);
 }
 
@@ -219,9 +222,46 @@ RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
   return result;
 }
 
+// The facet of the surface of which each wall is a part; -1 for a wall that peeling has put up.
 template <int Dim>
-std::uint32_t SurfaceMesher<Dim>::State::parent_of(HalfFacet wall) const {
-  return boundary->sub_facets()[boundary->at(wall)].parent;
+std::vector<std::int64_t> SurfaceMesher<Dim>::State::parents_of(std::span<const HalfFacet> walls) const {
+  std::vector<std::int64_t> parents;
+  if (boundary) {
+    for (const HalfFacet h : walls) parents.push_back(boundary->sub_facets()[boundary->at(h)].parent);
+    return parents;
+  }
+  using Facet = typename Domain<Dim>::Facet;
+  const auto sorted = [](Facet facet) {
+    std::sort(facet.begin(), facet.end());
+    return facet;
+  };
+  std::vector<std::pair<Facet, std::int64_t>> known;
+  for (std::size_t f = 0; f < used.facets.size(); ++f) {
+    known.emplace_back(sorted(used.facets[f]), static_cast<std::int64_t>(f));
+  }
+  std::sort(known.begin(), known.end());
+  for (const HalfFacet h : walls) {
+    const std::pair<Facet, std::int64_t> first(sorted(triangulation.complex().facet(h)), 0);
+    const auto found = std::lower_bound(known.begin(), known.end(), first);
+    parents.push_back(found != known.end() && found->first == first.first ? found->second : -1);
+  }
+  return parents;
+}
+
+// A surface all of whose facets are in the triangulation does not cross itself.
+template <int Dim>
+void SurfaceMesher<Dim>::State::require_no_crossing() const {
+  Surface<Dim> surface;
+  surface.points = used.points;
+  for (const auto& facet : used.facets) {
+    typename Surface<Dim>::Facet& ids = surface.facets.emplace_back();
+    for (std::size_t k = 0; k < Dim; ++k) ids[k] = facet[k].index();
+  }
+  const std::vector<FacetPair> first = self_intersections(surface, 1);
+  if (first.empty()) return;
+  throw InputError(
+      "facets " + std::to_string(first[0].first) + " and " + std::to_string(first[0].second) +
+      " of the surface cross, touch or overlap: cut them along their intersection, or move them apart");
 }
 
 template <int Dim>
@@ -288,16 +328,32 @@ Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
   for (auto v = static_cast<std::uint32_t>(state_->used.input_id.size()); v < complex.num_vertices(); ++v) {
     mesh.points.push_back(state_->triangulation.point(Vertex(v)));
   }
+  typename Mesh<Dim>::Field region{"region", {}};
+  typename Mesh<Dim>::Field region_tag{"tag", {}};
   for (const Simplex s : state_->domain.simplices()) {
     auto simplex = corner_ids<Dim>(complex, s);
     for (std::uint32_t& v : simplex) v = id[v];
     mesh.simplices.push_back(simplex);
+    region.values.push_back(state_->domain.region(s));
+    region_tag.values.push_back(state_->domain.tag(state_->domain.region(s)));
   }
-  for (const HalfFacet h : state_->domain.boundary()) {
+  mesh.simplex_fields.push_back(std::move(region));
+  if (!state_->seeds.regions.empty()) mesh.simplex_fields.push_back(std::move(region_tag));
+
+  const std::vector<HalfFacet> walls = state_->domain.boundary();
+  for (const HalfFacet h : walls) {
     auto facet = facet_ids<Dim>(complex, h);
     for (std::uint32_t& v : facet) v = id[v];
     mesh.boundary.push_back(facet);
   }
+  typename Mesh<Dim>::Field parent{"parent", state_->parents_of(walls)};
+  typename Mesh<Dim>::Field facet_tag{"tag", {}};
+  for (const std::int64_t f : parent.values) {
+    facet_tag.values.push_back(
+        f < 0 || state_->facet_tags.empty() ? 0 : state_->facet_tags[static_cast<std::size_t>(f)]);
+  }
+  mesh.boundary_fields.push_back(std::move(parent));
+  if (!state_->facet_tags.empty()) mesh.boundary_fields.push_back(std::move(facet_tag));
   return mesh;
 }
 

@@ -50,6 +50,8 @@ class Refiner {
   bool divide_for(Simplex s);
   bool divide_for_center_of(Simplex center, double relaxed2);
   bool bring_centers_inside();
+  bool expel_flat_simplices();
+  bool is_flat(Simplex s) const;
   HalfFacet wall_before_center(Simplex s);
   void settle_boundary();
 

@@ -31,7 +31,7 @@ void Refiner<Dim>::refine_boundary() {
     do {
       inserter_.reconsider_all();
       run_incremental(true);
-    } while (!is_stopped() && bring_centers_inside());
+    } while (!is_stopped() && (bring_centers_inside() || expel_flat_simplices()));
   }
 }
 
@@ -134,6 +134,48 @@ bool Refiner<Dim>::bring_centers_inside() {
     has_inserted = true;
   }
   return has_inserted;
+}
+
+// Whether the volume of a simplex is nothing but rounding, and its corners are not all given.
+template <int Dim>
+bool Refiner<Dim>::is_flat(Simplex s) const {
+  constexpr double kFlat = 1e-9;  // volume to longest edge cubed
+  const Complex<Dim>& complex = inserter_.complex();
+  bool is_given = true;
+  for (int i = 0; i <= Dim; ++i) {
+    is_given = is_given && boundary_->features().vertex(complex.corner(s, i)).on.kind == Feature::Kind::corner;
+  }
+  return !is_given && flatness<Dim>(complex.corners(s)) < kFlat;
+}
+
+// Each time one is moved out there is one less, or there is one more vertex.
+template <int Dim>
+bool Refiner<Dim>::expel_flat_simplices() {
+  struct Entry {
+    std::uint64_t tie;
+    Simplex simplex;
+    std::uint32_t birth;
+  };
+  std::vector<Entry> entries;
+  for (const Simplex s : inserter_.domain().simplices()) {
+    if (conformer_->is_on_one_patch(s) || is_flat(s))
+      entries.push_back({inserter_.tie(s), s, inserter_.birth(s)});
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.tie < b.tie; });
+  bool has_changed = false;
+  for (const Entry& entry : entries) {
+    const Simplex s = entry.simplex;
+    if (!inserter_.is_current(s, entry.birth)) continue;
+    if (conformer_->expel(s)) {
+      settle_boundary();
+      has_changed = true;
+      continue;
+    }
+    // Between mirror images on both sides of a small angle.
+    inserter_.reconsider(s);
+    has_changed = insert_center_of(s) || divide_for_center_of(s, 0) || has_changed;
+  }
+  return has_changed;
 }
 
 template class Refiner<2>;
