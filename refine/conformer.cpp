@@ -40,6 +40,12 @@ bool is_reachable(const Point<Dim>& p) {
   return std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) < 0x1p20; });
 }
 
+// Slightly more than 1, as the coordinates have it: keeps points apart that would be placed in one pattern.
+template <int Dim>
+double apart(const Point<Dim>& p) {
+  return 1 + std::ldexp(static_cast<double>(hash_point<Dim>(p) >> 11), -53 - 13);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -202,7 +208,7 @@ double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const
     const Point<Dim> along = complex().point(ends[1]) - complex().point(ends[0]);
     const double t = dot(complex().point(culprit) - complex().point(ends[0]), along) / dot(along, along);
     const double part = (t - tu) / (tv - tu);
-    if (part > 0.2 && part < 0.8) return t;
+    if (part > 0.2 && part < 0.8) return tu + part * apart<Dim>(complex().point(culprit)) * (tv - tu);
   }
   return (tu + tv) / 2;
 }
@@ -241,7 +247,8 @@ std::optional<Point<Dim>> Conformer<Dim>::mirror_image(SubFacet f, Vertex q) con
     }
     const double sign = dot(middle - foot, out) > 0 ? 1 : -1;
     if (sign * dot(p - foot, out) <= 0) return std::nullopt;  // no acute angle
-    const double scale = sign * std::sqrt(squared_distance(p, foot) / dot(out, out));
+    // A little farther, or two such pairs would be the corners of a trapezoid: cocircular.
+    const double scale = sign * apart<3>(p) * std::sqrt(squared_distance(p, foot) / dot(out, out));
     for (std::size_t k = 0; k < 3; ++k) foot[k] += scale * out[k];
     return foot;
   }

@@ -173,7 +173,7 @@ bool Refiner<Dim>::expel_flat_simplices() {
     }
     // Between mirror images on both sides of a small angle.
     inserter_.reconsider(s);
-    has_changed = insert_center_of(s) || divide_for_center_of(s, 0) || has_changed;
+    has_changed = insert_center_of(s) || has_changed;
   }
   return has_changed;
 }
