@@ -79,8 +79,8 @@ class Boundary {
   /// Looks for it in the triangulation, too.
   SubFacet add(const typename SubFacets<Dim>::Record& record);
   void remove(SubFacet f);
-  /// Divides every sub-facet at the edge uv (in the plane: uv itself) at x, into two that keep its segment along
-  /// the edge. They are appended to `created`.
+  /// Divides every sub-facet at the edge uv (in the plane: uv itself) at x, into two that keep its segment
+  /// along the edge. They are appended to `created`.
   void divide_edge(Vertex u, Vertex v, Vertex x, std::vector<SubFacet>& created);
 
  private:

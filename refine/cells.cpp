@@ -85,8 +85,8 @@ SurfaceComponents<Dim>::SurfaceComponents(std::span<const std::array<Vertex, Dim
   }
 }
 
-// Breadth first, so that a component is met from its own outside first: every way from there to what it encloses
-// crosses it.
+// Breadth first, so that a component is met from its own outside first: every way from there to what it
+// encloses crosses it.
 std::vector<bool> CellGraph::label(const std::vector<bool>& component_is_even) const {
   constexpr std::uint32_t kNone = ~std::uint32_t{0};
   std::vector<std::uint32_t> outside_of(component_is_even.size(), kNone);

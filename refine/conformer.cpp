@@ -123,7 +123,7 @@ Point<Dim> Conformer<Dim>::center(SubFacet f) const {
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// What is wrong, and what to do about it.
+//  What is wrong, and what to do about it.
 
 template <int Dim>
 void Conformer<Dim>::mend(const SubSegment& s) {
@@ -162,8 +162,8 @@ void Conformer<Dim>::mend(SubFacet f) {
   }
 }
 
-// The vertex that is to blame: of those strictly inside the diametral sphere the one nearest to its center. Null
-// if there is none.
+// The vertex that is to blame: of those strictly inside the diametral sphere the one nearest to its center.
+// Null if there is none.
 template <int Dim>
 Vertex Conformer<Dim>::culprit(SubFacet f) {
   const Point<Dim> center = center_of(boundary_->corner_points(f));
@@ -184,10 +184,10 @@ Vertex Conformer<Dim>::culprit(SubFacet f) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// Where points go [BR, 5].
+//  Where points go [BR, 5].
 
-// A power of two away from a corner at one end, so that pieces of segments that meet there at a small angle become
-// equally long and leave each other alone; else the middle.
+// A power of two away from a corner at one end, so that pieces of segments that meet there at a small angle
+// become equally long and leave each other alone; else the middle.
 template <int Dim>
 double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const {
   const auto& features = boundary_->features();
@@ -288,7 +288,7 @@ std::optional<Point<Dim>> Conformer<Dim>::sphere_point(SubFacet f, Vertex q) con
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// Insertions.
+//  Insertions.
 
 // Against a culprit that was itself inserted because of another one: a point that is placed as it is.
 template <int Dim>
@@ -450,7 +450,7 @@ void Conformer<Dim>::settle(Vertex v, const Feature& on, double t, Vertex q) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// Regions of new simplices.
+//  Regions of new simplices.
 
 // Whether the simplex of h sees the corners of f in their order, or turned.
 template <int Dim>
@@ -521,7 +521,7 @@ std::vector<Simplex> Conformer<Dim>::label_new() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// Flat simplices.
+//  Flat simplices.
 
 template <int Dim>
 bool Conformer<Dim>::is_on_one_patch(Simplex s) const {

@@ -37,7 +37,7 @@ void PatchTriangulation::divide(SubFacet f, std::size_t k, Vertex x, std::vector
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// Flips within a patch.
+//  Flips within a patch.
 
 /// A side ab of two sub-facets of one patch, with the corners c and d opposite it: abc and bad are
 /// counterclockwise, and so are adc and dbc, which take their place.
@@ -133,8 +133,9 @@ bool PatchTriangulation::flip(SubFacet f, std::size_t k, std::vector<SubFacet>& 
   return found.has_value();
 }
 
-// Ends: for points that are exactly coplanar, a flipped edge never comes back, because each flip lowers the lifted
-// surface. Where rounding breaks that, the list of retired edges enforces it, and there are finitely many edges.
+// Ends: for points that are exactly coplanar, a flipped edge never comes back, because each flip lowers the
+// lifted surface. Where rounding breaks that, the list of retired edges enforces it, and there are finitely
+// many edges.
 bool PatchTriangulation::flip_from(std::vector<SubFacet> stack, std::vector<SubFacet>& created) {
   struct PairHash {
     std::size_t operator()(const std::pair<Vertex, Vertex>& e) const {
@@ -169,10 +170,10 @@ void PatchTriangulation::flip_all() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// Walks within a patch.
+//  Walks within a patch.
 
-// Through the first side that separates the sub-facet from the point. Ends, because in a patch that is Delaunay in
-// its plane the powers of the point go up; where it is not, after as many steps as there are sub-facets.
+// Through the first side that separates the sub-facet from the point. Ends, because in a patch that is Delaunay
+// in its plane the powers of the point go up; where it is not, after as many steps as there are sub-facets.
 auto PatchTriangulation::walk(SubFacet f, const Point2& x) const -> std::optional<Location> {
   for (std::size_t steps = 0; steps <= boundary_->sub_facets().size(); ++steps) {
     Location at{f, 3, {}};

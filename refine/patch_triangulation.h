@@ -12,8 +12,8 @@
 namespace sinkmesh {
 
 /// Edits the sub-facets of a surface in space so that those of each patch stay Delaunay in its plane. All signs
-/// are those of exact projections to a coordinate plane. Sub-facets that are made are appended to `created`; some
-/// of them may be gone again at the return.
+/// are those of exact projections to a coordinate plane. Sub-facets that are made are appended to `created`;
+/// some of them may be gone again at the return.
 class PatchTriangulation {
  public:
   explicit PatchTriangulation(Boundary<3>& boundary) : boundary_(&boundary) {}
@@ -24,15 +24,15 @@ class PatchTriangulation {
   void divide(SubFacet f, std::size_t k, Vertex x, std::vector<SubFacet>& created);
 
   /// Lawson's flips, from all sides of f: an edge within a patch gives way to the other diagonal if a diametral
-  /// sphere of its sub-facets holds the apex of the other one and that is better the other way. If both ways are
-  /// good, or both bad, the one that is in the triangulation stays.
+  /// sphere of its sub-facets holds the apex of the other one and that is better the other way. If both ways
+  /// are good, or both bad, the one that is in the triangulation stays.
   /// @return whether there was any.
   bool flip_around(SubFacet f, std::vector<SubFacet>& created) { return flip_from({f}, created); }
   /// From all sub-facets.
   void flip_all();
   /// Takes the other diagonal of the two sub-facets at a side of f.
-  /// @return false if they are not in one patch, or not strictly convex in projection, or if three points of one
-  ///         segment would become a sub-facet.
+  /// @return false if they are not in one patch, or not strictly convex in projection, or if three points of
+  ///         one segment would become a sub-facet.
   bool flip(SubFacet f, std::size_t k, std::vector<SubFacet>& created);
 
   /// Where a walk ended.

@@ -35,8 +35,8 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
   conformer.on_removal = [this](Simplex s) { inserter_.remove(s); };
 }
 
-// Boundary last: interior points alone do most of the work, and what they leave is all that the boundary has to be
-// divided for.
+// Boundary last: interior points alone do most of the work, and what they leave is all that the boundary has to
+// be divided for.
 template <int Dim>
 RefineResult Refiner<Dim>::run() {
   inserter_.measure_all();

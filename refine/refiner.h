@@ -31,15 +31,15 @@ class Refiner {
   ///         schedule, or if the input is at the resolution of doubles (SteinerInserter).
   Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
           const RefineOptions& options);
-  /// With a boundary that is divided, too [BR, 6]: first as above; then, where that left a simplex, the sub-facets
-  /// that its points encroach are divided; and so on. At the end all circumcenters are inside, and no simplex has
-  /// all its vertices on one patch. Requires a conforming surface.
+  /// With a boundary that is divided, too [BR, 6]: first as above; then, where that left a simplex, the
+  /// sub-facets that its points encroach are divided; and so on. At the end all circumcenters are inside, and
+  /// no simplex has all its vertices on one patch. Requires a conforming surface.
   Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, Boundary<Dim>& boundary,
           Conformer<Dim>& conformer, const BoundaryRules<Dim>& rules, const RefineOptions& options);
 
   RefineResult run();
-  /// After run(): the simplices of low quality that remain, the worst ratio first. Corners and features are those
-  /// of the complex.
+  /// After run(): the simplices of low quality that remain, the worst ratio first. Corners and features are
+  /// those of the complex.
   const std::vector<Leftover<Dim>>& leftovers() const { return leftovers_; }
 
  private:

@@ -2,8 +2,8 @@
 //
 // Dividing the boundary: for quality, and to bring every circumcenter inside [BR, 6].
 //
-// Points on the boundary go in one at a time, between the rounds of all schedules: they are few, and what follows
-// from one is not local in advance.
+// Points on the boundary go in one at a time, between the rounds of all schedules: they are few, and what
+// follows from one is not local in advance.
 #include <algorithm>
 #include <cmath>
 
@@ -21,9 +21,9 @@ void Refiner<Dim>::settle_boundary() {
   for (const Simplex s : conformer_->label_new()) inserter_.add(s);
 }
 
-// At first only where a point on the boundary is nearly as far from all vertices as the center for which it stands;
-// that keeps the mesh small. What is left then has to be content with any that makes no edge shorter than the one
-// that is to go.
+// At first only where a point on the boundary is nearly as far from all vertices as the center for which it
+// stands; that keeps the mesh small. What is left then has to be content with any that makes no edge shorter
+// than the one that is to go.
 template <int Dim>
 void Refiner<Dim>::refine_boundary() {
   for (const bool generous : {false, true}) {
@@ -108,8 +108,8 @@ HalfFacet Refiner<Dim>::wall_before_center(Simplex s) {
   }
 }
 
-// No flow crosses the boundary, but in space a circumcenter may still lie beyond it. Where the way from a simplex to
-// its center is barred, the sub-facet there is divided.
+// No flow crosses the boundary, but in space a circumcenter may still lie beyond it. Where the way from a
+// simplex to its center is barred, the sub-facet there is divided.
 template <int Dim>
 bool Refiner<Dim>::bring_centers_inside() {
   struct Barrier {

@@ -70,9 +70,9 @@ class SteinerInserter {
   /// @throws InputError if delta is below 2^-40 of the largest coordinate: the input is at the resolution of
   /// doubles.
   SteinerInserter(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, double max_ratio);
-  /// For a surface that is divided as well. A simplex is then worked on only if r > max_ratio L: L is the length
-  /// of its shortest edge, or more, if that edge is short because of a small angle of the surface. delta is the
-  /// floor: whatever is inserted for quality is farther than that from all vertices [BR, 9].
+  /// For a surface that is divided as well. A simplex is then worked on only if r > max_ratio L: L is the
+  /// length of its shortest edge, or more, if that edge is short because of a small angle of the surface. delta
+  /// is the floor: whatever is inserted for quality is farther than that from all vertices [BR, 9].
   SteinerInserter(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, double max_ratio,
                   const BoundaryRules<Dim>& rules);
 
