@@ -122,7 +122,7 @@ Point<Dim> Conformer<Dim>::center(SubFacet f) const {
   return center_of(boundary_->corner_points(f));
 }
 
-// ---------------------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 //  What is wrong, and what to do about it.
 
 template <int Dim>
@@ -183,7 +183,7 @@ Vertex Conformer<Dim>::culprit(SubFacet f) {
   return best;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 //  Where points go [BR, 5].
 
 // A power of two away from a corner at one end, so that pieces of segments that meet there at a small angle
@@ -287,7 +287,7 @@ std::optional<Point<Dim>> Conformer<Dim>::sphere_point(SubFacet f, Vertex q) con
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 //  Insertions.
 
 // Against a culprit that was itself inserted because of another one: a point that is placed as it is.
@@ -449,7 +449,7 @@ void Conformer<Dim>::settle(Vertex v, const Feature& on, double t, Vertex q) {
   boundary_->set_vertex(v, info);
 }
 
-// ---------------------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 //  Regions of new simplices.
 
 // Whether the simplex of h sees the corners of f in their order, or turned.
@@ -520,7 +520,7 @@ std::vector<Simplex> Conformer<Dim>::label_new() {
   return inside;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 //  Flat simplices.
 
 template <int Dim>
