@@ -28,7 +28,8 @@ std::vector<SubFacets<3>::Record> make_records(const Complex<3>& complex,
                                                std::span<const std::int64_t> tags, double flat,
                                                BoundaryFeatures<3>& features) {
   std::vector<BoundaryFeatures<3>::Patch> planes;
-  const std::vector<PatchFacet> of_facet = find_patches(complex, facets, tags, flat, planes);
+  const std::vector<PlacedFacet> placed = without_needles(complex, facets, tags, flat);
+  const std::vector<PatchFacet> of_facet = find_patches(complex, placed, tags, flat, planes);
   for (const auto& patch : planes) features.add_patch(patch.facet, patch.plane);
 
   // Edges, to find those between patches.
@@ -44,7 +45,7 @@ std::vector<SubFacets<3>::Record> make_records(const Complex<3>& complex,
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
     records[f].corners = of_facet[f].vertices;
     records[f].owner = of_facet[f].patch;
-    records[f].parent = f;
+    records[f].parent = placed[f].parent;
     records[f].segment.fill(SubFacets<3>::kNone);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const Vertex a = records[f].corners[(k + 1) % 3];
@@ -68,7 +69,7 @@ std::vector<SubFacets<3>::Record> make_records(const Complex<3>& complex,
     first = last;
   }
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
-    for (const Vertex v : facets[f]) corners[records[f].owner].push_back(v);
+    for (const Vertex v : records[f].corners) corners[records[f].owner].push_back(v);
   }
   for (std::uint32_t p = 0; p < planes.size(); ++p) {
     const auto make_set = [](auto& list) {
@@ -93,7 +94,17 @@ Boundary<Dim>::Boundary(const Triangulation<Dim>& triangulation, Domain<Dim>& do
     for (const Vertex v : facet) features_.set_corner(v);
   }
   const auto records = make_records(complex(), facets, tags, flat, features_);
-  for (std::size_t f = 0; f < records.size(); ++f) place(sub_facets_.add(records[f]), found[f]);
+  const auto sorted = [](Facet facet) {
+    std::sort(facet.begin(), facet.end());
+    return facet;
+  };
+  for (std::size_t f = 0; f < records.size(); ++f) {
+    if (sorted(records[f].corners) == sorted(facets[f])) {
+      place(sub_facets_.add(records[f]), found[f]);
+    } else {
+      add(records[f]);
+    }
+  }
 }
 
 template <int Dim>

@@ -22,10 +22,11 @@ bool is_reachable(const Point<Dim>& p) {
   return std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) < 0x1p20; });
 }
 
-// Slightly more than 1, as the coordinates have it: keeps points apart that would be placed in one pattern.
+// Slightly more than 1, as the coordinates have it: keeps points apart that would be placed in one pattern. Far
+// below the 1 - cos(theta) by which a mirror image at an angle theta is better than the point itself.
 template <int Dim>
 double apart(const Point<Dim>& p) {
-  return 1 + std::ldexp(static_cast<double>(hash_point<Dim>(p) >> 11), -53 - 13);
+  return 1 + std::ldexp(static_cast<double>(hash_point<Dim>(p) >> 11), -53 - 20);
 }
 
 }  // namespace
