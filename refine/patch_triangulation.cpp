@@ -36,7 +36,7 @@ void PatchTriangulation::divide(SubFacet f, std::size_t k, Vertex x, std::vector
   flip_from({created.begin() + first, created.end()}, created);
 }
 
-// ---------------------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 //  Flips within a patch.
 
 /// A side ab of two sub-facets of one patch, with the corners c and d opposite it: abc and bad are
@@ -169,7 +169,7 @@ void PatchTriangulation::flip_all() {
   flip_from(std::move(stack), created);
 }
 
-// ---------------------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 //  Walks within a patch.
 
 // Through the first side that separates the sub-facet from the point. Ends, because in a patch that is Delaunay
