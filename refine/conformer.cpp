@@ -75,14 +75,20 @@ bool Conformer<Dim>::conform(const std::function<bool()>& may_continue) {
       const SubSegment s = segment_queue_.front();
       segment_queue_.pop_front();
       if (boundary_->sub_facets().segment_of(s.u, s.v) != s.segment || boundary_->has_edge(s.u, s.v)) continue;
-      if (!may_continue()) return false;
+      if (!may_continue()) {
+        segment_queue_.push_front(s);
+        return false;
+      }
       mend(s);
     } else if (!facet_queue_.empty()) {
       const Entry entry = facet_queue_.top();
       facet_queue_.pop();
       if (!boundary_->sub_facets().is_current(entry.facet, entry.birth)) continue;
       if (!boundary_->is_missing(entry.facet) && boundary_->encroaching_apexes(entry.facet).empty()) continue;
-      if (!may_continue()) return false;
+      if (!may_continue()) {
+        facet_queue_.push(entry);
+        return false;
+      }
       mend(entry.facet);
     } else {
       return true;

@@ -178,6 +178,7 @@ auto PatchTriangulation::walk(SubFacet f, const Point2& x) const -> std::optiona
   for (std::size_t steps = 0; steps <= boundary_->sub_facets().size(); ++steps) {
     Location at{f, 3, {}};
     int on = 0;
+    bool is_beyond = false;  // a barrier
     SubFacet next;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& record = boundary_->sub_facets()[f];
@@ -186,7 +187,10 @@ auto PatchTriangulation::walk(SubFacet f, const Point2& x) const -> std::optiona
       const int side = orient2d(projected(f, u), projected(f, v), x);
       if (side > 0) continue;
       const bool is_barrier = record.segment[k] != SubFacets<3>::kNone;
-      if (is_barrier && !at.barrier) at.barrier = SubSegment{u, v, record.segment[k]};
+      // Beyond one sub-segment the point may still be on the line of another.
+      if (is_barrier && (!at.barrier || (side < 0 && !is_beyond)))
+        at.barrier = SubSegment{u, v, record.segment[k]};
+      is_beyond = is_beyond || (is_barrier && side < 0);
       if (side < 0 && !is_barrier && next.is_null()) next = boundary_->sub_facets().across(f, k).facet;
       if (side == 0) {
         ++on;
