@@ -73,6 +73,7 @@ class Boundary {
   /// @return the sub-facets in the closure of the prestar, present and missing.
   const std::vector<SubFacet>& after_insertion(const Cavity<Dim>& cavity);
   void set_vertex(Vertex v, const BoundaryVertex& info) { features_.set_vertex(v, info); }
+  void forget_relaxed_radii() { features_.forget_relaxed_radii(); }
 
   // -- editing
 

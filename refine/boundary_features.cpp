@@ -78,6 +78,11 @@ void BoundaryFeatures<Dim>::set_corner(Vertex v) {
 }
 
 template <int Dim>
+void BoundaryFeatures<Dim>::forget_relaxed_radii() {
+  for (BoundaryVertex& vertex : vertices_) vertex.relaxed2 = 0;
+}
+
+template <int Dim>
 bool BoundaryFeatures<Dim>::is_on_segment(Vertex v, std::uint32_t segment) const {
   const Feature on = vertex(v).on;
   if (on.kind == Kind::segment) return on.id == segment;
@@ -187,35 +192,42 @@ void BoundaryFeatures<Dim>::for_each_common(const Feature& f, const Feature& g, 
   intersect(p.corners, q.corners, [&](Vertex v) { visit(Feature{Kind::corner, v.index()}); });
 }
 
+// The features that hold v and not the other vertex: what v lies on, and the patches around that.
+template <int Dim>
+std::vector<Feature> BoundaryFeatures<Dim>::features_without(Vertex v, Vertex other) const {
+  std::vector<Feature> result;
+  const Feature on = vertex(v).on;
+  if (on.kind == Kind::segment) {
+    result.push_back(on);
+    for (const std::uint32_t patch : segment_patches_[on.id]) {
+      if (!is_on_patch(other, patch)) result.push_back({Kind::patch, patch});
+    }
+  } else if (on.kind == Kind::patch && !is_on_patch(other, on.id)) {
+    result.push_back(on);
+  }
+  return result;
+}
+
 template <int Dim>
 std::optional<Rung> BoundaryFeatures<Dim>::rung(Vertex p, Vertex q, double lambda) const {
-  const auto features_at = [this](Vertex v, Vertex other) {
-    std::vector<Feature> result;
-    const Feature on = vertex(v).on;
-    if (on.kind != Kind::segment && on.kind != Kind::patch) return result;
-    if (on.kind == Kind::segment || !is_on_patch(other, on.id)) result.push_back(on);
-    if (on.kind == Kind::segment) {
-      for (const std::uint32_t patch : segment_patches_[on.id]) {
-        if (!is_on_patch(other, patch)) result.push_back({Kind::patch, patch});
-      }
-    }
-    return result;
-  };
   const Point<Dim>& a = complex_->point(p);
   const Point<Dim>& b = complex_->point(q);
-  std::optional<Rung> nearest;
-  const auto of_q = features_at(q, p);
-  for (const Feature& f : features_at(p, q)) {
+  const double length2 = squared_distance(a, b);
+  std::optional<Rung> result;
+  const std::vector<Feature> of_q = features_without(q, p);
+  for (const Feature& f : features_without(p, q)) {
     for (const Feature& g : of_q) {
       if (f == g) continue;
+      std::optional<Rung> nearest;  // where they meet at an angle is the nearest place that they have in common
       for_each_common(f, g, [&](const Feature& common) {
         const double reach2 = std::min(distance2(a, common), distance2(b, common));
-        if (squared_distance(a, b) >= lambda * lambda * reach2) return;
         if (!nearest || reach2 < nearest->reach2) nearest = Rung{f, g, common, reach2};
       });
+      if (!nearest || length2 >= lambda * lambda * nearest->reach2) continue;
+      if (!result || nearest->reach2 < result->reach2) result = nearest;
     }
   }
-  return nearest;
+  return result;
 }
 
 template class BoundaryFeatures<2>;

@@ -28,6 +28,7 @@ struct BoundaryVertex {
   double t = 0;             ///< on a segment: from 0 at its first end to 1 at its last
   std::uint32_t level = 0;  ///< how many culprits, one for the other, led to it; 0 for corners and for quality
   double relaxed2 = 0;      ///< squared relaxed radius [BR, 6]
+  Vertex culprit;           ///< from which it was inherited, or null
 };
 
 /// An edge that is short only because two features meet at a small angle.
@@ -80,6 +81,9 @@ class BoundaryFeatures {
   void set_border(std::uint32_t patch, std::vector<std::uint32_t> segments, std::vector<Vertex> corners);
   void set_vertex(Vertex v, const BoundaryVertex& info);
 
+  /// Sets all relaxed radii to 0.
+  void forget_relaxed_radii();
+
   const std::vector<Segment>& segments() const { return segments_; }
   const std::vector<Patch>& patches() const { return patches_; }
   /// Of an inner vertex: `interior`, and zeros.
@@ -107,11 +111,12 @@ class BoundaryFeatures {
   /// Squared distance of a point from a corner or a segment.
   double distance2(const Point<Dim>& p, const Feature& feature) const;
 
-  /// Whether the edge pq is a rung: its ends lie on two features of which none holds the other, that share a
-  /// corner or a segment X, and |pq| < lambda min(d(p,X), d(q,X)).
+  /// Whether the edge pq is a rung: p and q lie on two closed features, none of which holds both, that share a
+  /// corner or a segment, and |pq| < lambda min(d(p,X), d(q,X)) for the nearest such X.
   std::optional<Rung> rung(Vertex p, Vertex q, double lambda) const;
 
  private:
+  std::vector<Feature> features_without(Vertex v, Vertex other) const;
   template <class Visit>
   void for_each_common(const Feature& f, const Feature& g, Visit&& visit) const;
 

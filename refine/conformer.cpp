@@ -16,24 +16,6 @@ using Kind = Feature::Kind;
 template <int Dim>
 constexpr typename Domain<Dim>::Region kUnknown = ~typename Domain<Dim>::Region{0};
 
-// The center of the diametral sphere.
-Point2 center_of(const FacetCorners<2>& f) {
-  return {((*f[0])[0] + (*f[1])[0]) / 2, ((*f[0])[1] + (*f[1])[1]) / 2};
-}
-Point3 center_of(const FacetCorners<3>& f) {
-  const Point3 u = *f[1] - *f[0];
-  const Point3 v = *f[2] - *f[0];
-  const Point3 n = cross(u, v);
-  const Point3 p = cross(n, u);
-  const Point3 q = cross(v, n);
-  const double vv = dot(v, v);
-  const double uu = dot(u, u);
-  const double nn = dot(n, n);
-  Point3 center = *f[0];
-  for (std::size_t k = 0; k < 3; ++k) center[k] += (vv * p[k] + uu * q[k]) / (2 * nn);
-  return center;
-}
-
 template <int Dim>
 bool is_reachable(const Point<Dim>& p) {
   // Far beyond the gate a point only tells a direction; NaN and infinity do not even that.
@@ -117,11 +99,6 @@ std::vector<SubFacet> Conformer<Dim>::unconformed() const {
   return result;
 }
 
-template <int Dim>
-Point<Dim> Conformer<Dim>::center(SubFacet f) const {
-  return center_of(boundary_->corner_points(f));
-}
-
 // ------------------------------------------------------------------------------------------------
 //  What is wrong, and what to do about it.
 
@@ -166,7 +143,7 @@ void Conformer<Dim>::mend(SubFacet f) {
 // Null if there is none.
 template <int Dim>
 Vertex Conformer<Dim>::culprit(SubFacet f) {
-  const Point<Dim> center = center_of(boundary_->corner_points(f));
+  const Point<Dim> center = facet_center<Dim>(boundary_->corner_points(f));
   if (!is_reachable<Dim>(center)) return {};
   const auto& corners = boundary_->sub_facets()[f].corners;
   if (boundary_->is_missing(f)) {
@@ -325,7 +302,7 @@ bool Conformer<Dim>::split_at_center(SubFacet f, Vertex q, const Distances& dist
   if constexpr (Dim == 2) {
     return split_segment(boundary_->sub_segments(f).front(), q, distances.segment2);
   } else {
-    const Point3 center = center_of(boundary_->corner_points(f));
+    const Point3 center = facet_center<Dim>(boundary_->corner_points(f));
     if (!is_reachable<3>(center)) return false;
     const Plane& plane = boundary_->features().patches()[boundary_->sub_facets()[f].owner].plane;
     const auto at = PatchTriangulation(*boundary_).walk(f, plane.project(center));
@@ -440,12 +417,16 @@ Vertex Conformer<Dim>::insert(const Point<Dim>& x, Simplex hint, double distance
 // What is to be known of a new vertex.
 template <int Dim>
 void Conformer<Dim>::settle(Vertex v, const Feature& on, double t, Vertex q) {
-  BoundaryVertex info{on, t, 1U, nearest2_};
+  BoundaryVertex info{on, t, 1, nearest2_, {}};
   boundary_->set_vertex(v, info);
   if (q.is_null()) return;
   const BoundaryVertex& culprit = boundary_->features().vertex(q);
   info.level = culprit.level + 1;
-  if (boundary_->features().rung(v, q, lambda_)) info.relaxed2 = std::max(info.relaxed2, culprit.relaxed2);
+  // In the plane a rung itself is all that is excused (Miller, Pav, Walkington 2003).
+  if (Dim == 3 && culprit.relaxed2 > info.relaxed2 && boundary_->features().rung(v, q, lambda_)) {
+    info.relaxed2 = culprit.relaxed2;
+    info.culprit = q;
+  }
   boundary_->set_vertex(v, info);
 }
 

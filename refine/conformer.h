@@ -34,6 +34,10 @@ class Conformer {
   Conformer(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, Boundary<Dim>& boundary,
             double lambda, double floor);
 
+  double lambda() const { return lambda_; }
+  /// For the points to come.
+  void set_lambda(double lambda) { lambda_ = lambda; }
+
   /// Flips the input, and queues what is not conforming.
   void start();
   /// Works until the queues are empty.
@@ -48,9 +52,6 @@ class Conformer {
   /// @param segment_distance2  of a point on a segment
   /// @return whether a point was inserted; then call conform() and label_new().
   bool split(SubFacet f, double facet_distance2, double segment_distance2);
-
-  /// Of the diametral sphere of a sub-facet; rounded.
-  Point<Dim> center(SubFacet f) const;
 
   /// Remembers the regions on both sides of all patches and segments; after Domain::label().
   void remember_regions();

@@ -98,6 +98,36 @@ Shape facet_shape<2>(FacetCorners<2> corners) {
   return {length2 / 4, length2};
 }
 
+template <>
+double facet_area2<2>(const FacetCorners<2>& corners) {
+  return squared_distance(*corners[0], *corners[1]);
+}
+
+template <>
+double facet_area2<3>(const FacetCorners<3>& corners) {
+  const Point3 n = cross(*corners[1] - *corners[0], *corners[2] - *corners[0]);
+  return dot(n, n);
+}
+
+template <>
+Point2 facet_center<2>(const FacetCorners<2>& corners) {
+  return {((*corners[0])[0] + (*corners[1])[0]) / 2, ((*corners[0])[1] + (*corners[1])[1]) / 2};
+}
+
+template <>
+Point3 facet_center<3>(const FacetCorners<3>& corners) {
+  const Point3 u = *corners[1] - *corners[0];
+  const Point3 v = *corners[2] - *corners[0];
+  const Point3 n = cross(u, v);
+  const Point3 p = cross(n, u);
+  const Point3 q = cross(v, n);
+  const double uu = dot(u, u);
+  const double vv = dot(v, v);
+  Point3 center = *corners[0];
+  for (std::size_t k = 0; k < 3; ++k) center[k] += (vv * p[k] + uu * q[k]) / (2 * dot(n, n));
+  return center;
+}
+
 namespace {
 
 template <std::size_t N, class P>

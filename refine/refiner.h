@@ -52,6 +52,7 @@ class Refiner {
   bool bring_centers_inside();
   bool expel_flat_simplices();
   bool is_flat(Simplex s) const;
+  bool insert_center_of_circle(Simplex s);
   HalfFacet wall_before_center(Simplex s);
   void settle_boundary();
 

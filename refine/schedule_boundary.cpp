@@ -24,14 +24,31 @@ void Refiner<Dim>::settle_boundary() {
 // At first only where a point on the boundary is nearly as far from all vertices as the center for which it
 // stands; that keeps the mesh small. What is left then has to be content with any that makes no edge shorter
 // than the one that is to go.
+//
+// Points on the boundary may leave more simplices that a small angle excuses than they mend. On a surface that is
+// conforming as given, fewer are excused then, until there are no more of low quality than a fixed boundary
+// leaves.
 template <int Dim>
 void Refiner<Dim>::refine_boundary() {
-  for (const bool generous : {false, true}) {
-    generous_ = generous;
-    do {
-      inserter_.reconsider_all();
-      run_incremental(true);
-    } while (!is_stopped() && (bring_centers_inside() || expel_flat_simplices()));
+  constexpr double kLeastLambda = 0.15;
+  constexpr double kStep = 0.6;
+  const bool is_given = on_segments_before_ + on_patches_before_ == 0;
+  const std::size_t fixed = inserter_.num_low_quality();
+  for (double lambda = conformer_->lambda();; lambda *= kStep) {
+    if (lambda != conformer_->lambda()) {
+      boundary_->forget_relaxed_radii();
+      conformer_->set_lambda(lambda);
+      inserter_.set_lambda(lambda);
+    }
+    for (const bool generous : {false, true}) {
+      generous_ = generous;
+      do {
+        inserter_.reconsider_all();
+        run_incremental(true);
+      } while (!is_stopped() && (bring_centers_inside() || expel_flat_simplices()));
+    }
+    if (!is_given || inserter_.num_low_quality() <= fixed || lambda * kStep < kLeastLambda || is_stopped())
+      return;
   }
 }
 
@@ -63,8 +80,8 @@ bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
       std::uint64_t tie = 0;
       for (const Point<Dim>* p : corners) tie += hash_point<Dim>(*p);
       entries.push_back(
-          {squared_distance(candidate.center, conformer_->center(f)) / facet_shape<Dim>(corners).radius2, tie,
-           f});
+          {squared_distance(candidate.center, facet_center<Dim>(corners)) / facet_shape<Dim>(corners).radius2,
+           tie, f});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
       return a.depth2 != b.depth2 ? a.depth2 < b.depth2 : a.tie < b.tie;
@@ -75,7 +92,10 @@ bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
       return insert_center_of(s);
     }
     constexpr double kStrict2 = 0.7;
-    const double least2 = generous_ ? relaxed2 : kStrict2 * candidate.radius2;
+    // In the plane: what a shell at a third of a segment leaves of the radius of a center that encroaches on it.
+    constexpr double kShell2 = 0.22;
+    const double generous2 = Dim == 2 ? kShell2 * candidate.radius2 : relaxed2;
+    const double least2 = generous_ ? generous2 : kStrict2 * candidate.radius2;
     for (const Entry& entry : entries) {
       if (!conformer_->split(entry.facet, least2, least2)) continue;
       settle_boundary();
@@ -148,6 +168,24 @@ bool Refiner<Dim>::is_flat(Simplex s) const {
   return !is_given && flatness<Dim>(complex.corners(s)) < kFlat;
 }
 
+template <int Dim>
+bool Refiner<Dim>::insert_center_of_circle(Simplex s) {
+  const Complex<Dim>& complex = inserter_.complex();
+  Point<Dim> center{};
+  double largest2 = -1;
+  for (int i = 0; i <= Dim; ++i) {
+    const FacetCorners<Dim> corners = complex.facet_corners(Complex<Dim>::half_facet(s, i));
+    const double area2 = facet_area2<Dim>(corners);
+    if (area2 <= largest2) continue;
+    largest2 = area2;
+    center = facet_center<Dim>(corners);
+  }
+  Candidate<Dim> candidate = inserter_.describe(s);
+  candidate.center = center;
+  ++round_.candidates;
+  return inserter_.insert(candidate) == Verdict::inserted;
+}
+
 // Each time one is moved out there is one less, or there is one more vertex.
 template <int Dim>
 bool Refiner<Dim>::expel_flat_simplices() {
@@ -171,9 +209,8 @@ bool Refiner<Dim>::expel_flat_simplices() {
       has_changed = true;
       continue;
     }
-    // Between mirror images on both sides of a small angle.
-    inserter_.reconsider(s);
-    has_changed = insert_center_of(s) || has_changed;
+    // A trapezoid inside, of points that are placed alike. Its center is noise, but not that of its circle.
+    has_changed = insert_center_of_circle(s) || has_changed;
   }
   return has_changed;
 }

@@ -130,10 +130,23 @@ double SteinerInserter<Dim>::relaxed_length2(Simplex s) const {
 }
 
 template <int Dim>
+void SteinerInserter<Dim>::set_lambda(double lambda) {
+  rules_.lambda = lambda;
+  for (const Simplex s : low_quality()) {
+    std::uint8_t& notes = notes_[s.index()];
+    const bool is_excused = shape<Dim>(complex().corners(s)).radius2 <= max_ratio2_ * relaxed_length2(s);
+    notes = static_cast<std::uint8_t>(is_excused ? notes | kExcused : notes & ~kExcused);
+  }
+}
+
+template <int Dim>
 std::optional<Rung> SteinerInserter<Dim>::rung(Simplex s) const {
   std::optional<Rung> result;
   for_each_shortest_edge(s, [&](Vertex p, Vertex q) {
     if (!result) result = rules_.features->rung(p, q, rules_.lambda);
+    const Vertex young = std::max(p, q);
+    const Vertex culprit = rules_.features->vertex(young).culprit;
+    if (!result && !culprit.is_null()) result = rules_.features->rung(young, culprit, rules_.lambda);
   });
   return result;
 }
@@ -177,7 +190,8 @@ std::uint64_t SteinerInserter<Dim>::tie(Simplex s) const {
 }
 
 template <int Dim>
-bool SteinerInserter<Dim>::make_candidate(Simplex s, Candidate<Dim>& candidate) {
+Candidate<Dim> SteinerInserter<Dim>::describe(Simplex s) const {
+  Candidate<Dim> candidate;
   candidate.simplex = s;
   candidate.birth = birth(s);
   candidate.corner = complex().corner(s, 0);
@@ -185,7 +199,13 @@ bool SteinerInserter<Dim>::make_candidate(Simplex s, Candidate<Dim>& candidate) 
   for (std::size_t i = 0; i <= Dim; ++i) candidate.corners[i] = *corners[i];
   candidate.radius2 = shape<Dim>(corners).radius2;
   candidate.tie = tie(s);
-  if (circumcenter(corners, candidate.center)) return true;
+  return candidate;
+}
+
+template <int Dim>
+bool SteinerInserter<Dim>::make_candidate(Simplex s, Candidate<Dim>& candidate) {
+  candidate = describe(s);
+  if (circumcenter(complex().corners(s), candidate.center)) return true;
   refuse(candidate, Verdict::crossing);
   return false;
 }

@@ -95,9 +95,12 @@ class SteinerInserter {
   bool is_low_quality(Simplex s) const { return notes_[s.index()] & kLow; }
   /// Of low quality, but left alone, because a small angle of the surface is the reason.
   bool is_excused(Simplex s) const { return notes_[s.index()] & kExcused; }
+  /// Judges anew who is excused.
+  void set_lambda(double lambda);
   /// The square of L: see the constructor.
   double relaxed_length2(Simplex s) const;
-  /// The rungs among the shortest edges of s: why it is excused. Empty if that is inherited.
+  /// The rungs among the shortest edges of s: why it is excused; or, if
+  /// the excuse is inherited, the one between a vertex and its culprit.
   std::optional<Rung> rung(Simplex s) const;
   /// Whether the center of s has been refused. It is not tried again while s lives.
   bool is_rejected(Simplex s) const { return rejection(s) != Verdict::inserted; }
@@ -142,6 +145,8 @@ class SteinerInserter {
 
   // -- candidates
 
+  /// All but the center.
+  Candidate<Dim> describe(Simplex s) const;
   /// @return false, and the center of s is rejected, if it is too far away to be a Steiner point.
   bool make_candidate(Simplex s, Candidate<Dim>& candidate);
 
