@@ -72,6 +72,8 @@ class Boundary {
   /// After: the walls of the new simplices, and which sub-facets are still there.
   /// @return the sub-facets in the closure of the prestar, present and missing.
   const std::vector<SubFacet>& after_insertion(const Cavity<Dim>& cavity);
+  /// After an insertion that crossed no wall: the simplex on the other side of this one is new.
+  void refresh(HalfFacet wall) { sub_facets_.set_at(at(wall), wall); }
   void set_vertex(Vertex v, const BoundaryVertex& info) { features_.set_vertex(v, info); }
   void forget_relaxed_radii() { features_.forget_relaxed_radii(); }
 

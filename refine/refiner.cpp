@@ -33,6 +33,7 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       on_patches_before_(conformer.points_on_patches()) {
   require_valid(options);
   conformer.on_removal = [this](Simplex s) { inserter_.remove(s); };
+  inserter_.on_new_at_wall = [this](HalfFacet wall) { boundary_->refresh(wall); };
 }
 
 // Boundary last: interior points alone do most of the work, and what they leave is all that the boundary has to
