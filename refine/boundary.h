@@ -77,6 +77,17 @@ class Boundary {
   void set_vertex(Vertex v, const BoundaryVertex& info) { features_.set_vertex(v, info); }
   void forget_relaxed_radii() { features_.forget_relaxed_radii(); }
 
+  /// What is needed to come back to this state after the triangulation has been built anew from its vertices of
+  /// now.
+  struct Snapshot {
+    BoundaryFeatures<Dim> features;
+    SubFacets<Dim> sub_facets;
+    std::size_t num_vertices;
+  };
+  Snapshot snapshot() const { return {features_, sub_facets_, complex().num_vertices()}; }
+  /// Looks for all sub-facets, and puts up their walls.
+  void restore(const Snapshot& snapshot);
+
   // -- editing
 
   /// Looks for it in the triangulation, too.

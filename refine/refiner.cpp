@@ -47,16 +47,16 @@ RefineResult Refiner<Dim>::run() {
     run_rounds();
   }
   if (conformer_ != nullptr) refine_boundary();
-  result_.stop = budget_.stop();
+  result_.stop = is_valid_ ? budget_.stop() : std::max(budget_.stop(), Stop::budget);
   result_.prestars = inserter_.num_prestars();
   result_.inserted = inserter_.num_inserted();
   result_.rejected = inserter_.rejections();
   result_.rejected.dependent += dependent_;
-  classify_remaining();
+  if (is_valid_) classify_remaining();
   if (conformer_ != nullptr) {
     result_.points_on_segments = conformer_->points_on_segments() - on_segments_before_;
     result_.points_on_patches = conformer_->points_on_patches() - on_patches_before_;
-    result_.inserted += result_.points_on_segments + result_.points_on_patches;
+    result_.inserted += num_boundary_points();
     conformer_->on_removal = nullptr;
   }
   result_.separation =
@@ -65,8 +65,16 @@ RefineResult Refiner<Dim>::run() {
 }
 
 template <int Dim>
+std::size_t Refiner<Dim>::num_boundary_points() const {
+  if (conformer_ == nullptr) return 0;
+  return conformer_->points_on_segments() + conformer_->points_on_patches() - on_segments_before_ -
+         on_patches_before_;
+}
+
+template <int Dim>
 bool Refiner<Dim>::may_continue() {
-  return budget_.may_continue(inserter_.num_vertices(), inserter_.complex().bytes());
+  return is_valid_ &&
+         budget_.may_continue(inserter_.num_vertices() + num_boundary_points(), inserter_.complex().bytes());
 }
 
 template <int Dim>
@@ -82,7 +90,7 @@ void Refiner<Dim>::end_round() {
   result_.candidates += round_.candidates;
   if (!options_.observer) return;
   round_.inserted = inserter_.num_inserted() - inserted_before_round_;
-  round_.vertices = inserter_.num_vertices();
+  round_.vertices = inserter_.num_vertices() + num_boundary_points();
   round_.simplices = inserter_.num_simplices();
   round_.low_quality = inserter_.num_low_quality();
   round_.statistics = [this] {
