@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Boundary refinement in space: surfaces that are not Delaunay or not stable as given, regions, small angles, limits."""
+"""Boundary refinement in space: surfaces not Delaunay or not stable as given, regions, small angles, limits."""
 import itertools
 import math
 import unittest
