@@ -177,7 +177,10 @@ BoundaryResult SurfaceMesher<Dim>::State::conform(std::span<const HalfFacet> fou
   std::sort(result.unconformed.begin(), result.unconformed.end());
   result.unconformed.erase(std::unique(result.unconformed.begin(), result.unconformed.end()),
                            result.unconformed.end());
-  if (!result.ok()) return result;
+  if (!result.ok()) {
+    domain = Domain<Dim>(triangulation);
+    return result;
+  }
   domain.label(used.facets, boundary->walls(), seeds);
   conformer->remember_regions();
   result.regions = domain.num_regions();
