@@ -48,14 +48,13 @@ RefineResult Refiner<Dim>::run() {
   if (conformer_ != nullptr) refine_boundary();
   result_.stop = budget_.stop();
   result_.prestars = inserter_.num_prestars();
-  result_.inserted = inserter_.num_inserted();
+  result_.inserted = num_inserted();
   result_.rejected = inserter_.rejections();
   result_.rejected.dependent += dependent_;
   classify_remaining();
   if (conformer_ != nullptr) {
     result_.points_on_segments = conformer_->points_on_segments() - on_segments_before_;
     result_.points_on_patches = conformer_->points_on_patches() - on_patches_before_;
-    result_.inserted += result_.points_on_segments + result_.points_on_patches;
     conformer_->on_removal = nullptr;
   }
   result_.separation =
@@ -64,8 +63,15 @@ RefineResult Refiner<Dim>::run() {
 }
 
 template <int Dim>
+std::size_t Refiner<Dim>::points_on_boundary() const {
+  if (conformer_ == nullptr) return 0;
+  return conformer_->points_on_segments() - on_segments_before_ + conformer_->points_on_patches() -
+         on_patches_before_;
+}
+
+template <int Dim>
 bool Refiner<Dim>::may_continue() {
-  return budget_.may_continue(inserter_.num_vertices(), inserter_.complex().bytes());
+  return budget_.may_continue(num_vertices(), inserter_.complex().bytes());
 }
 
 template <int Dim>
@@ -73,15 +79,16 @@ void Refiner<Dim>::begin_round() {
   ++result_.rounds;
   round_ = {};
   round_.round = result_.rounds;
-  inserted_before_round_ = inserter_.num_inserted();
 }
 
 template <int Dim>
 void Refiner<Dim>::end_round() {
   result_.candidates += round_.candidates;
+  // Points that bring circumcenters inside, between two rounds, belong to the second.
+  round_.inserted = num_inserted() - inserted_before_round_;
+  inserted_before_round_ = num_inserted();
   if (!options_.observer) return;
-  round_.inserted = inserter_.num_inserted() - inserted_before_round_;
-  round_.vertices = inserter_.num_vertices();
+  round_.vertices = num_vertices();
   round_.simplices = inserter_.num_simplices();
   round_.low_quality = inserter_.num_low_quality();
   round_.statistics = [this] {

@@ -76,6 +76,9 @@ class Refiner {
   void take(Vertex v);
 
   bool may_continue();
+  std::size_t points_on_boundary() const;
+  std::size_t num_inserted() const { return inserter_.num_inserted() + points_on_boundary(); }
+  std::size_t num_vertices() const { return inserter_.num_vertices() + points_on_boundary(); }
   bool is_stopped() const { return budget_.stop() != Stop::no_candidate; }
   void begin_round();
   void end_round();

@@ -130,7 +130,6 @@ class SteinerInserter {
   }
   /// A new simplex, inside.
   void add(Simplex s);
-  void count_vertex() { ++num_vertices_; }
   /// The walls in the closure of the prestar of a candidate whose diametral spheres hold it.
   /// Requires that its simplex lives.
   std::vector<HalfFacet> encroached_walls(const Candidate<Dim>& candidate);
