@@ -177,8 +177,8 @@ double distance_from(const Complex<3>& complex, const Facet& base, Vertex v) {
   return std::abs(height.get_d()) / std::sqrt(Rational(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).get_d());
 }
 
-// What makes a patch: all of it near the plane of its largest facet, nothing next to it left out that would fit,
-// unless a patch before it, that of a larger facet, has taken it.
+// What makes a patch: all of it near the plane of its largest facet, nothing next to it left out that would
+// fit, unless a patch before it, that of a larger facet, has taken it.
 TEST(Patches, GrowFromTheLargestFacetAsFarAsTheToleranceAllows) {
   Random random(12);
   for (const double height : {0.5e-3, 2e-3, 8e-3}) {
