@@ -179,6 +179,14 @@ BoundaryFeature Boundary<Dim>::describe(const Feature& feature) const {
 }
 
 template <int Dim>
+void Boundary<Dim>::restore(const Snapshot& snapshot) {
+  features_ = snapshot.features;
+  sub_facets_ = snapshot.sub_facets;
+  sub_facets_.for_each(
+      [this](SubFacet f) { place(f, star_walk_.find_facet(complex(), sub_facets_[f].corners)); });
+}
+
+template <int Dim>
 void Boundary<Dim>::before_insertion(const Cavity<Dim>& cavity) {
   touched_.clear();
   for (std::size_t i = 0; i < cavity.num_simplices(); ++i) {

@@ -72,8 +72,21 @@ class Boundary {
   /// After: the walls of the new simplices, and which sub-facets are still there.
   /// @return the sub-facets in the closure of the prestar, present and missing.
   const std::vector<SubFacet>& after_insertion(const Cavity<Dim>& cavity);
+  /// After an insertion that crossed no wall: the simplex on the other side of this one is new.
+  void refresh(HalfFacet wall) { sub_facets_.set_at(at(wall), wall); }
   void set_vertex(Vertex v, const BoundaryVertex& info) { features_.set_vertex(v, info); }
   void forget_relaxed_radii() { features_.forget_relaxed_radii(); }
+
+  /// What is needed to come back to this state after the triangulation has been built anew from its vertices of
+  /// now.
+  struct Snapshot {
+    BoundaryFeatures<Dim> features;
+    SubFacets<Dim> sub_facets;
+    std::size_t num_vertices;
+  };
+  Snapshot snapshot() const { return {features_, sub_facets_, complex().num_vertices()}; }
+  /// Looks for all sub-facets, and puts up their walls.
+  void restore(const Snapshot& snapshot);
 
   // -- editing
 

@@ -90,6 +90,7 @@ struct SurfaceMesher<Dim>::State {
   BoundaryResult find_fixed();
   void require_no_crossing() const;
   BoundaryResult conform(std::span<const HalfFacet> found, const RefineOptions& options);
+  void restore(const typename Boundary<Dim>::Snapshot& snapshot);
   bool is_stable();
   std::vector<std::int64_t> parents_of(std::span<const HalfFacet> walls) const;
 
@@ -218,11 +219,41 @@ RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
     state.leftovers = refiner.leftovers();
     return result;
   }
+  const std::size_t before = state.triangulation.complex().num_vertices();
   Refiner<Dim> refiner(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer,
                        state.rules, options);
   const RefineResult result = refiner.run();
-  state.leftovers = refiner.leftovers();
-  return result;
+  if (refiner.last_valid() == nullptr) {
+    state.leftovers = refiner.leftovers();
+    return result;
+  }
+  state.restore(*refiner.last_valid());
+  // Nothing more is to be done: only what is left is to be told.
+  RefineOptions no_more = options;
+  no_more.max_vertices = 0;
+  Refiner<Dim> teller(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer,
+                      state.rules, no_more);
+  RefineResult told = result;
+  told.remaining = teller.run().remaining;
+  told.inserted = state.triangulation.complex().num_vertices() - before;
+  told.points_on_segments = 0;
+  told.points_on_patches = 0;
+  state.leftovers = teller.leftovers();
+  return told;
+}
+
+// The vertices that were there, and the Delaunay triangulation of them, which is unique.
+template <int Dim>
+void SurfaceMesher<Dim>::State::restore(const typename Boundary<Dim>::Snapshot& snapshot) {
+  std::vector<Point<Dim>> points(snapshot.num_vertices);
+  for (std::uint32_t v = 0; v < points.size(); ++v) points[v] = triangulation.point(Vertex(v));
+  triangulation = Triangulation<Dim>(points);
+  domain = Domain<Dim>(triangulation);
+  flow = Flow<Dim>(triangulation);
+  boundary->restore(snapshot);
+  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor);
+  domain.label(used.facets, boundary->walls(), seeds);
+  conformer->remember_regions();
 }
 
 // The facet of the surface of which each wall is a part; -1 for a wall that peeling has put up.

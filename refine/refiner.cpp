@@ -33,6 +33,7 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       on_patches_before_(conformer.points_on_patches()) {
   require_valid(options);
   conformer.on_removal = [this](Simplex s) { inserter_.remove(s); };
+  inserter_.on_new_at_wall = [this](HalfFacet wall) { boundary_->refresh(wall); };
 }
 
 // Boundary last: interior points alone do most of the work, and what they leave is all that the boundary has to
@@ -46,12 +47,12 @@ RefineResult Refiner<Dim>::run() {
     run_rounds();
   }
   if (conformer_ != nullptr) refine_boundary();
-  result_.stop = budget_.stop();
+  result_.stop = is_valid_ ? budget_.stop() : std::max(budget_.stop(), Stop::budget);
   result_.prestars = inserter_.num_prestars();
   result_.inserted = num_inserted();
   result_.rejected = inserter_.rejections();
   result_.rejected.dependent += dependent_;
-  classify_remaining();
+  if (is_valid_) classify_remaining();
   if (conformer_ != nullptr) {
     result_.points_on_segments = conformer_->points_on_segments() - on_segments_before_;
     result_.points_on_patches = conformer_->points_on_patches() - on_patches_before_;
@@ -63,15 +64,15 @@ RefineResult Refiner<Dim>::run() {
 }
 
 template <int Dim>
-std::size_t Refiner<Dim>::points_on_boundary() const {
+std::size_t Refiner<Dim>::num_boundary_points() const {
   if (conformer_ == nullptr) return 0;
-  return conformer_->points_on_segments() - on_segments_before_ + conformer_->points_on_patches() -
+  return conformer_->points_on_segments() + conformer_->points_on_patches() - on_segments_before_ -
          on_patches_before_;
 }
 
 template <int Dim>
 bool Refiner<Dim>::may_continue() {
-  return budget_.may_continue(num_vertices(), inserter_.complex().bytes());
+  return is_valid_ && budget_.may_continue(num_vertices(), inserter_.complex().bytes());
 }
 
 template <int Dim>

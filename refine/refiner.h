@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "refine/boundary.h"
@@ -38,6 +39,9 @@ class Refiner {
           Conformer<Dim>& conformer, const BoundaryRules<Dim>& rules, const RefineOptions& options);
 
   RefineResult run();
+  /// After run(): null if the mesh is valid. Else a budget, the cancel flag or the floor has ended it in the
+  /// middle of what a point on the boundary set off, and this is the last valid state: rebuild that.
+  const typename Boundary<Dim>::Snapshot* last_valid() const { return is_valid_ ? nullptr : &*last_valid_; }
   /// After run(): the simplices of low quality that remain, the worst ratio first. Corners and features are
   /// those of the complex.
   const std::vector<Leftover<Dim>>& leftovers() const { return leftovers_; }
@@ -55,6 +59,7 @@ class Refiner {
   bool insert_center_of_circle(Simplex s);
   HalfFacet wall_before_center(Simplex s);
   void settle_boundary();
+  std::size_t num_boundary_points() const;
 
   // Incremental: tries the points for one simplex, one after the other, until one is inserted.
   bool insert_for(Simplex s);
@@ -76,10 +81,9 @@ class Refiner {
   void take(Vertex v);
 
   bool may_continue();
-  std::size_t points_on_boundary() const;
-  std::size_t num_inserted() const { return inserter_.num_inserted() + points_on_boundary(); }
-  std::size_t num_vertices() const { return inserter_.num_vertices() + points_on_boundary(); }
-  bool is_stopped() const { return budget_.stop() != Stop::no_candidate; }
+  std::size_t num_inserted() const { return inserter_.num_inserted() + num_boundary_points(); }
+  std::size_t num_vertices() const { return inserter_.num_vertices() + num_boundary_points(); }
+  bool is_stopped() const { return budget_.stop() != Stop::no_candidate || !is_valid_; }
   void begin_round();
   void end_round();
   void classify_remaining();
@@ -97,6 +101,8 @@ class Refiner {
   std::size_t dependent_ = 0;  // found so before a search
   std::size_t inserted_before_round_ = 0;
   bool generous_ = false;  // with points on the boundary
+  bool is_valid_ = true;
+  std::optional<typename Boundary<Dim>::Snapshot> last_valid_;
   std::size_t on_segments_before_ = 0;
   std::size_t on_patches_before_ = 0;
 

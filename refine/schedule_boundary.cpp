@@ -13,11 +13,11 @@
 
 namespace sinkmesh {
 
-// After a point on the boundary: the cascade that it set off is not interrupted, because the mesh is not valid
-// before its end.
+// After a point on the boundary: the mesh is valid again when what it set off has come to its end.
 template <int Dim>
 void Refiner<Dim>::settle_boundary() {
-  conformer_->conform([] { return true; });
+  is_valid_ = conformer_->conform([this] { return may_continue(); }) && conformer_->unconformed().empty();
+  if (!is_valid_) return;
   for (const Simplex s : conformer_->label_new()) inserter_.add(s);
 }
 
@@ -32,6 +32,7 @@ template <int Dim>
 void Refiner<Dim>::refine_boundary() {
   constexpr double kLeastLambda = 0.15;
   constexpr double kStep = 0.6;
+  last_valid_ = boundary_->snapshot();
   const bool is_given = on_segments_before_ + on_patches_before_ == 0;
   const std::size_t fixed = inserter_.num_low_quality();
   for (double lambda = conformer_->lambda();; lambda *= kStep) {

@@ -300,6 +300,8 @@ void SteinerInserter<Dim>::commit(const Point<Dim>& x) {
     const Simplex s = cavity_.star(i);
     flow_->forget(s);
     add(s);
+    const HalfFacet outer(cavity_.facet(i).outer);
+    if (on_new_at_wall && domain_->is_wall(outer)) on_new_at_wall(outer);
   }
 }
 

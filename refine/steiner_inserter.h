@@ -142,6 +142,10 @@ class SteinerInserter {
   }
   void give_up(Simplex s) { notes_[s.index()] |= kHopeless; }
 
+  /// Called, after an insertion, with the outer half-facet of each wall that has a new simplex at it; may be
+  /// empty.
+  std::function<void(HalfFacet)> on_new_at_wall;
+
   // -- candidates
 
   /// All but the center.

@@ -462,12 +462,14 @@ TYPED_TEST(BoundaryRefiner, EndsWithASoundMeshWheneverItIsStopped) {
         less.max_vertices = conformed + random() % (most - conformed + 1);
         const RefineResult result = mesher.refine(less);
         if (result.stop == Stop::budget) {
-          EXPECT_GE(mesher.num_vertices(), less.max_vertices);
+          EXPECT_LE(mesher.num_vertices(), less.max_vertices);
+          EXPECT_LT(mesher.num_vertices(), whole.num_vertices());
         } else {
           EXPECT_EQ(result.stop, Stop::no_candidate);
           EXPECT_EQ(mesher.hash(), whole.hash());
         }
         expect_sound(input, mesher, result, options.max_ratio);
+        EXPECT_EQ(mesher.mesh().points.size(), conformed + result.inserted);
         // And it can go on.
         const RefineResult rest = mesher.refine(options);
         EXPECT_EQ(rest.stop, Stop::no_candidate);
