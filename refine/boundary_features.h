@@ -28,7 +28,7 @@ struct BoundaryVertex {
   double t = 0;             ///< on a segment: from 0 at its first end to 1 at its last
   std::uint32_t level = 0;  ///< how many culprits, one for the other, led to it; 0 for corners and for quality
   double relaxed2 = 0;      ///< squared relaxed radius [BR, 6]
-  Vertex culprit;           ///< from which it was inherited, or null
+  Vertex culprit = {};      ///< from which it was inherited, or null
 };
 
 /// An edge that is short only because two features meet at a small angle.

@@ -192,7 +192,10 @@ BoundaryResult SurfaceMesher<Dim>::State::conform(const RefineOptions& options) 
   std::sort(result.unconformed.begin(), result.unconformed.end());
   result.unconformed.erase(std::unique(result.unconformed.begin(), result.unconformed.end()),
                            result.unconformed.end());
-  if (!result.ok()) return result;
+  if (!result.ok()) {
+    domain = Domain<Dim>(triangulation);
+    return result;
+  }
   domain.label(used.facets, boundary->walls(), seeds);
   conformer->remember_regions();
   result.regions = domain.num_regions();
@@ -230,6 +233,7 @@ RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
     state.leftovers = refiner.leftovers();
     return result;
   }
+  const std::size_t before = state.triangulation.complex().num_vertices();
   Refiner<Dim> refiner(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer,
                        state.rules, options);
   const RefineResult result = refiner.run();
@@ -245,7 +249,7 @@ RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
                       state.rules, no_more);
   RefineResult told = result;
   told.remaining = teller.run().remaining;
-  told.inserted -= result.points_on_segments + result.points_on_patches;
+  told.inserted = state.triangulation.complex().num_vertices() - before;
   told.points_on_segments = 0;
   told.points_on_patches = 0;
   state.leftovers = teller.leftovers();

@@ -52,14 +52,13 @@ RefineResult Refiner<Dim>::run() {
   result_.stop = is_valid_ ? budget_.stop() : std::max(budget_.stop(), Stop::budget);
   result_.insert = options_.insert;
   result_.prestars = inserter_.num_prestars();
-  result_.inserted = inserter_.num_inserted();
+  result_.inserted = num_inserted();
   result_.rejected = inserter_.rejections();
   result_.rejected.dependent += dependent_;
   if (is_valid_) classify_remaining();
   if (conformer_ != nullptr) {
     result_.points_on_segments = conformer_->points_on_segments() - on_segments_before_;
     result_.points_on_patches = conformer_->points_on_patches() - on_patches_before_;
-    result_.inserted += num_boundary_points();
     conformer_->on_removal = nullptr;
   }
   result_.separation =
@@ -76,8 +75,7 @@ std::size_t Refiner<Dim>::num_boundary_points() const {
 
 template <int Dim>
 bool Refiner<Dim>::may_continue() {
-  return is_valid_ &&
-         budget_.may_continue(inserter_.num_vertices() + num_boundary_points(), inserter_.complex().bytes());
+  return is_valid_ && budget_.may_continue(num_vertices(), inserter_.complex().bytes());
 }
 
 template <int Dim>
@@ -85,15 +83,16 @@ void Refiner<Dim>::begin_round() {
   ++result_.rounds;
   round_ = {};
   round_.round = result_.rounds;
-  inserted_before_round_ = inserter_.num_inserted();
 }
 
 template <int Dim>
 void Refiner<Dim>::end_round() {
   result_.candidates += round_.candidates;
+  // Points that bring circumcenters inside, between two rounds, belong to the second.
+  round_.inserted = num_inserted() - inserted_before_round_;
+  inserted_before_round_ = num_inserted();
   if (!options_.observer) return;
-  round_.inserted = inserter_.num_inserted() - inserted_before_round_;
-  round_.vertices = inserter_.num_vertices() + num_boundary_points();
+  round_.vertices = num_vertices();
   round_.simplices = inserter_.num_simplices();
   round_.low_quality = inserter_.num_low_quality();
   round_.statistics = [this] {

@@ -81,6 +81,8 @@ class Refiner {
   void take(Vertex v);
 
   bool may_continue();
+  std::size_t num_inserted() const { return inserter_.num_inserted() + num_boundary_points(); }
+  std::size_t num_vertices() const { return inserter_.num_vertices() + num_boundary_points(); }
   bool is_stopped() const { return budget_.stop() != Stop::no_candidate || !is_valid_; }
   void begin_round();
   void end_round();

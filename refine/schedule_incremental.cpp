@@ -31,7 +31,7 @@ void Refiner<Dim>::run_incremental(bool divides_boundary) {
       } else if (is_current(entry)) {
         queue.push(entry);
       }
-      if (inserter_.num_inserted() - inserted_before_round_ == kInsertionsPerRound) {
+      if (num_inserted() - inserted_before_round_ >= kInsertionsPerRound) {
         end_round();
         begin_round();
       }

@@ -23,6 +23,7 @@ void Refiner<Dim>::run_rounds() {
   bool own_centers = options_.insert == Insert::circumcenter;
   while (!is_stopped()) {
     const std::vector<Candidate<Dim>> candidates = collect(own_centers);
+    const std::size_t before = num_inserted();
     if (!candidates.empty()) {
       if (!may_continue()) return;
       begin_round();
@@ -35,7 +36,7 @@ void Refiner<Dim>::run_rounds() {
       }
       end_round();
     }
-    if (!candidates.empty() && inserter_.num_inserted() > inserted_before_round_) {
+    if (!candidates.empty() && num_inserted() > before) {
       own_centers = options_.insert == Insert::circumcenter;
     } else if (own_centers || options_.fallback == Fallback::none) {
       return;

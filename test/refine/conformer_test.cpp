@@ -63,8 +63,8 @@ TEST(Conformer, GridCubesNeedNoPointAndARightTetrahedronOne) {
   }
 }
 
-// Pieces whose center lies outside their parent, of the patches with a single facet or of the others; parents in
-// another patch count everywhere.
+// Pieces whose center lies outside their parent, of the patches with a single facet or of the others; parents
+// in another patch count everywhere.
 template <int Dim>
 std::size_t astray(const Conforming<Dim>& c, bool in_single) {
   std::map<std::uint32_t, std::size_t> facets_of;  // by patch; one facet for each segment in the plane

@@ -53,8 +53,8 @@ SubFacet random_sub_facet(const Conforming<3>& c, Random& random) {
   return all[random() % all.size()];
 }
 
-// A point of the projection with integer coordinates, within the box of a sub-facet, or anywhere around the whole
-// solid.
+// A point of the projection with integer coordinates, within the box of a sub-facet, or anywhere around the
+// whole solid.
 Point2 random_target(const Conforming<3>& c, SubFacet f, Random& random, bool is_far) {
   const Plane& plane = c.boundary.features().patches()[c.boundary.sub_facets()[f].owner].plane;
   Point2 low = plane.project(*c.boundary.corner_points(f)[0]);

@@ -22,6 +22,14 @@ using Patches = std::vector<BoundaryFeatures<3>::Patch>;
 using test::Random;
 using test::Rational;
 
+// Of facets none of which has been divided.
+std::vector<PatchFacet> patches_of(const Complex<3>& complex, const Facets& facets,
+                                   const std::vector<std::int64_t>& tags, double flat, Patches& planes) {
+  std::vector<PlacedFacet> placed;
+  for (std::uint32_t f = 0; f < facets.size(); ++f) placed.push_back({facets[f], f});
+  return find_patches(complex, placed, tags, flat, planes);
+}
+
 Facet sorted(Facet f) {
   std::sort(f.begin(), f.end());
   return f;
@@ -131,7 +139,7 @@ TEST(Patches, OfSolidsMadeOfCubesAreTheirSides) {
     for (const double flat : {0.0, 0x1p-42}) {
       for (int order = 0; order < 3; ++order) {
         Patches planes;
-        const auto of_facet = find_patches(complex, facets, tags, flat, planes);
+        const auto of_facet = patches_of(complex, facets, tags, flat, planes);
         EXPECT_EQ(partition(of_facet), expected);
         expect_counterclockwise(complex, facets, of_facet, planes);
         shuffle(facets, tags, random);
@@ -177,8 +185,8 @@ double distance_from(const Complex<3>& complex, const Facet& base, Vertex v) {
   return std::abs(height.get_d()) / std::sqrt(Rational(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).get_d());
 }
 
-// What makes a patch: all of it near the plane of its largest facet, nothing next to it left out that would fit,
-// unless a patch before it, that of a larger facet, has taken it.
+// What makes a patch: all of it near the plane of its largest facet, nothing next to it left out that would
+// fit, unless a patch before it, that of a larger facet, has taken it.
 TEST(Patches, GrowFromTheLargestFacetAsFarAsTheToleranceAllows) {
   Random random(12);
   for (const double height : {0.5e-3, 2e-3, 8e-3}) {
@@ -189,7 +197,7 @@ TEST(Patches, GrowFromTheLargestFacetAsFarAsTheToleranceAllows) {
     const double flat = 1e-3 * std::ldexp(1.0, triangulation.gate().exponent());
     std::vector<std::int64_t> tags;
     Patches planes;
-    const auto of_facet = find_patches(complex, sheet.facets, tags, flat, planes);
+    const auto of_facet = patches_of(complex, sheet.facets, tags, flat, planes);
     expect_counterclockwise(complex, sheet.facets, of_facet, planes);
     std::vector<double> area;
     for (const Facet& f : sheet.facets) {
@@ -222,10 +230,10 @@ TEST(Patches, GrowFromTheLargestFacetAsFarAsTheToleranceAllows) {
     const auto expected = partition(of_facet);
     for (int order = 0; order < 4; ++order) {
       shuffle(sheet.facets, tags, random);
-      EXPECT_EQ(partition(find_patches(complex, sheet.facets, tags, flat, planes)), expected);
+      EXPECT_EQ(partition(patches_of(complex, sheet.facets, tags, flat, planes)), expected);
     }
     // Nothing but itself is exactly coplanar.
-    find_patches(complex, sheet.facets, tags, 0, planes);
+    patches_of(complex, sheet.facets, tags, 0, planes);
     EXPECT_EQ(planes.size(), sheet.facets.size());
   }
 }
@@ -237,10 +245,10 @@ TEST(Patches, DoNotFold) {
   for (const double flat : {0.0, 1e-6}) {
     Patches planes;
     const Facets folded = {{Vertex(0), Vertex(1), Vertex(2)}, {Vertex(1), Vertex(0), Vertex(3)}};
-    find_patches(triangulation.complex(), folded, {}, flat, planes);
+    patches_of(triangulation.complex(), folded, {}, flat, planes);
     EXPECT_EQ(planes.size(), 2U);
     const Facets open = {{Vertex(0), Vertex(1), Vertex(3)}, {Vertex(0), Vertex(3), Vertex(2)}};
-    find_patches(triangulation.complex(), open, {}, flat, planes);
+    patches_of(triangulation.complex(), open, {}, flat, planes);
     EXPECT_EQ(planes.size(), 1U);
   }
 }
@@ -251,11 +259,50 @@ TEST(Patches, DoNotGrowAcrossAnEdgeOfThreeFacets) {
   const Triangulation3 triangulation(points);
   Facets facets = {{Vertex(0), Vertex(1), Vertex(2)}, {Vertex(1), Vertex(0), Vertex(3)}};
   Patches planes;
-  find_patches(triangulation.complex(), facets, {}, 0, planes);
+  patches_of(triangulation.complex(), facets, {}, 0, planes);
   EXPECT_EQ(planes.size(), 1U);
   facets.push_back({Vertex(0), Vertex(1), Vertex(4)});
-  find_patches(triangulation.complex(), facets, {}, 0, planes);
+  patches_of(triangulation.complex(), facets, {}, 0, planes);
   EXPECT_EQ(planes.size(), 3U);
+}
+
+// A needle beside a facet of its side: the facet is divided in its place, the rest stays, and the surface is as
+// closed as before. Not across tags, nor where nothing counts as flat.
+TEST(Patches, NeedlesGiveTheirLongestEdgeAway) {
+  const std::vector<Point3> points = {{0, 0, 0},     {1, 0, 0},      {0.5, 1e-9, 0},
+                                      {0.4, 1, 0.2}, {0.5, -1, 0.3}, {0, 0, 1}};
+  const Triangulation3 triangulation(points);
+  const auto facet = [](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return Facet{Vertex(a), Vertex(b), Vertex(c)};
+  };
+  // The needle is 0 1 2; its longest edge 0 1 is that of 0 4 1, too.
+  const Facets facets = {facet(0, 1, 2), facet(0, 4, 1), facet(0, 2, 3), facet(2, 1, 3), facet(0, 3, 5)};
+  const auto ridges = [](const std::vector<PlacedFacet>& all) {
+    std::map<std::pair<Vertex, Vertex>, int> count;
+    for (const PlacedFacet& f : all) {
+      for (std::size_t k = 0; k < 3; ++k) ++count[std::minmax(f.vertices[k], f.vertices[(k + 1) % 3])];
+    }
+    std::set<std::pair<Vertex, Vertex>> odd;
+    for (const auto& [edge, n] : count) {
+      if (n % 2 != 0) odd.insert(edge);
+    }
+    return odd;
+  };
+  const auto given = without_needles(triangulation.complex(), facets, {}, 0);
+  ASSERT_EQ(given.size(), facets.size());
+  for (std::size_t f = 0; f < facets.size(); ++f) EXPECT_EQ(given[f].vertices, facets[f]);
+  const auto mended = without_needles(triangulation.complex(), facets, {}, 1e-6);
+  ASSERT_EQ(mended.size(), facets.size());
+  EXPECT_EQ(ridges(mended), ridges(given));
+  std::set<Facet> now;
+  for (const PlacedFacet& f : mended) now.insert(sorted(f.vertices));
+  EXPECT_EQ(now,
+            (std::set<Facet>{facet(0, 2, 4), facet(1, 2, 4), facet(0, 2, 3), facet(1, 2, 3), facet(0, 3, 5)}));
+  for (const PlacedFacet& f : mended)
+    EXPECT_EQ(f.parent == 1, std::count(f.vertices.begin(), f.vertices.end(), Vertex(4)) > 0);
+  const std::vector<std::int64_t> tags = {1, 2, 1, 1, 1};
+  const auto tagged = without_needles(triangulation.complex(), facets, tags, 1e-6);
+  for (std::size_t f = 0; f < facets.size(); ++f) EXPECT_EQ(tagged[f].vertices, facets[f]);
 }
 
 // Nearly collinear corners, some of them one unit in the last place off a line: the projection must be turned
