@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "refine/edge_uses.h"
 #include "refine/patches.h"
 
 namespace sinkmesh {
@@ -32,42 +33,24 @@ std::vector<SubFacets<3>::Record> make_records(const Complex<3>& complex,
   const std::vector<PatchFacet> of_facet = find_patches(complex, placed, tags, flat, planes);
   for (const auto& patch : planes) features.add_patch(patch.facet, patch.plane);
 
-  // Edges, to find those between patches.
-  struct Use {
-    std::array<Vertex, 2> edge;
-    std::uint32_t facet;
-    std::uint32_t k;
-    auto operator<=>(const Use&) const = default;
-  };
-  std::vector<Use> uses;
-  uses.reserve(3 * facets.size());
   std::vector<SubFacets<3>::Record> records(facets.size());
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
     records[f].corners = of_facet[f].vertices;
     records[f].owner = of_facet[f].patch;
     records[f].parent = placed[f].parent;
     records[f].segment.fill(SubFacets<3>::kNone);
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const Vertex a = records[f].corners[(k + 1) % 3];
-      const Vertex b = records[f].corners[(k + 2) % 3];
-      uses.push_back({{std::min(a, b), std::max(a, b)}, f, k});
-    }
   }
-  std::sort(uses.begin(), uses.end());
   std::vector<std::vector<std::uint32_t>> segments(planes.size());
   std::vector<std::vector<Vertex>> corners(planes.size());
-  for (std::size_t first = 0; first < uses.size();) {
-    std::size_t last = first;
-    while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
-    if (last - first != 2 || records[uses[first].facet].owner != records[uses[first + 1].facet].owner) {
-      const std::uint32_t segment = features.add_segment(uses[first].edge[0], uses[first].edge[1]);
-      for (std::size_t i = first; i < last; ++i) {
-        records[uses[i].facet].segment[uses[i].k] = segment;
-        segments[records[uses[i].facet].owner].push_back(segment);
-      }
+  const auto corners_of = [&](std::size_t f) -> const std::array<Vertex, 3>& { return records[f].corners; };
+  for_each_edge(records.size(), corners_of, [&](auto first, auto last) {
+    if (last - first == 2 && records[first[0].facet].owner == records[first[1].facet].owner) return;
+    const std::uint32_t segment = features.add_segment(first->edge[0], first->edge[1]);
+    for (auto use = first; use != last; ++use) {
+      records[use->facet].segment[use->k] = segment;
+      segments[records[use->facet].owner].push_back(segment);
     }
-    first = last;
-  }
+  });
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
     for (const Vertex v : records[f].corners) corners[records[f].owner].push_back(v);
   }

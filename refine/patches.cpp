@@ -2,10 +2,12 @@
 #include "refine/patches.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "predicates/constructions.h"
 #include "predicates/predicates.h"
+#include "refine/edge_uses.h"
 #include "refine/vector.h"
 
 namespace sinkmesh {
@@ -15,32 +17,13 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // The facet across each edge, or none where the edge has other than two facets.
 std::vector<std::array<std::uint32_t, 3>> neighbours(std::span<const PlacedFacet> facets) {
-  struct Use {
-    std::array<Vertex, 2> edge;
-    std::uint32_t facet;
-    std::uint32_t k;
-    auto operator<=>(const Use&) const = default;
-  };
-  std::vector<Use> uses;
-  uses.reserve(3 * facets.size());
-  for (std::uint32_t f = 0; f < facets.size(); ++f) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const Vertex a = facets[f].vertices[(k + 1) % 3];
-      const Vertex b = facets[f].vertices[(k + 2) % 3];
-      uses.push_back({{std::min(a, b), std::max(a, b)}, f, k});
-    }
-  }
-  std::sort(uses.begin(), uses.end());
   std::vector<std::array<std::uint32_t, 3>> across(facets.size(), {kNone, kNone, kNone});
-  for (std::size_t first = 0; first < uses.size();) {
-    std::size_t last = first;
-    while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
-    if (last - first == 2) {
-      across[uses[first].facet][uses[first].k] = uses[first + 1].facet;
-      across[uses[first + 1].facet][uses[first + 1].k] = uses[first].facet;
-    }
-    first = last;
-  }
+  const auto corners_of = [&](std::size_t f) -> const std::array<Vertex, 3>& { return facets[f].vertices; };
+  for_each_edge(facets.size(), corners_of, [&](auto first, auto last) {
+    if (last - first != 2) return;
+    across[first[0].facet][first[0].k] = first[1].facet;
+    across[first[1].facet][first[1].k] = first[0].facet;
+  });
   return across;
 }
 
@@ -79,8 +62,8 @@ std::size_t needle_point(const Complex<3>& complex, const std::array<Vertex, 3>&
 
 }  // namespace
 
-// Each exchange takes one needle away; a pass that makes none is the last. Two needles at one edge could hand it to
-// and fro, so there are not more passes than could be needed.
+// Each exchange takes one needle away; a pass that makes none is the last. Two needles at one edge could hand
+// it to and fro, so there are not more passes than could be needed.
 std::vector<PlacedFacet> without_needles(const Complex<3>& complex,
                                          std::span<const std::array<Vertex, 3>> facets,
                                          std::span<const std::int64_t> tags, double flat) {
@@ -112,6 +95,31 @@ std::vector<PlacedFacet> without_needles(const Complex<3>& complex,
     }
   }
   return result;
+}
+
+std::optional<Fold> sharpest_fold(const Complex<3>& complex, std::span<const std::array<Vertex, 3>> facets) {
+  std::optional<Fold> sharpest;
+  const auto corners_of = [&](std::size_t f) -> const std::array<Vertex, 3>& { return facets[f]; };
+  for_each_edge(facets.size(), corners_of, [&](auto first, auto last) {
+    const Point3& a = complex.point(first->edge[0]);
+    const Point3 along = complex.point(first->edge[1]) - a;
+    const auto out = [&](const EdgeUse& use) {
+      Point3 way = complex.point(facets[use.facet][use.k]) - a;
+      const double t = dot(way, along) / dot(along, along);
+      for (std::size_t i = 0; i < 3; ++i) way[i] -= t * along[i];
+      return way;
+    };
+    for (auto one = first; one != last; ++one) {
+      for (auto other = one + 1; other != last; ++other) {
+        const Point3 u = out(*one);
+        const Point3 v = out(*other);
+        const Point3 n = cross(u, v);
+        const double angle = std::atan2(std::sqrt(dot(n, n)), dot(u, v));
+        if (!sharpest || angle < sharpest->angle) sharpest = Fold{one->facet, other->facet, angle};
+      }
+    }
+  });
+  return sharpest;
 }
 
 std::vector<PatchFacet> find_patches(const Complex<3>& complex, std::span<const PlacedFacet> facets,

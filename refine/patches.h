@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,16 @@ struct PlacedFacet {
 std::vector<PlacedFacet> without_needles(const Complex<3>& complex,
                                          std::span<const std::array<Vertex, 3>> facets,
                                          std::span<const std::int64_t> tags, double flat);
+
+/// Two facets at one edge.
+struct Fold {
+  std::uint32_t first;
+  std::uint32_t second;
+  double angle;  ///< between them, in radians
+};
+
+/// The two facets that meet at the smallest angle, if there are two. Rounded. Log-linear.
+std::optional<Fold> sharpest_fold(const Complex<3>& complex, std::span<const std::array<Vertex, 3>> facets);
 
 /// Divides the facets into patches: maximal sets, connected through edges of exactly two facets with the same
 /// tag, all of whose vertices lie within `flat` of the plane of the largest facet, and which do not fold in

@@ -12,6 +12,7 @@
 #include "refine/boundary.h"
 #include "refine/budget.h"
 #include "refine/conformer.h"
+#include "refine/patches.h"
 #include "refine/refiner.h"
 #include "refine/self_intersections.h"
 #include "refine/surface_check.h"
@@ -89,6 +90,7 @@ struct SurfaceMesher<Dim>::State {
 
   BoundaryResult find_fixed();
   void require_no_crossing() const;
+  void require_room_between_facets() const;
   void start_conforming(const BoundaryOptions& options, bool projects);
   BoundaryResult conform(const RefineOptions& options);
   void restore(const typename Boundary<Dim>::Snapshot& snapshot);
@@ -146,6 +148,20 @@ BoundaryResult SurfaceMesher<Dim>::State::find_fixed() {
   result.peeled_simplices = peeled.simplices;
   result.peeled_facets = peeled.facets;
   return result;
+}
+
+// At a dihedral angle a the two facets need about 1/a^2 points.
+template <int Dim>
+void SurfaceMesher<Dim>::State::require_room_between_facets() const {
+  if constexpr (Dim == 3) {
+    constexpr double kLeastAngle = 0x1p-16;
+    const std::optional<Fold> fold = sharpest_fold(triangulation.complex(), used.facets);
+    if (!fold || fold->angle >= kLeastAngle) return;
+    throw InputError(
+        "facets " + std::to_string(fold->first) + " and " + std::to_string(fold->second) +
+        " of the surface meet at an angle of less than a thousandth of a degree: remove one of them, "
+        "or move them apart");
+  }
 }
 
 template <int Dim>
@@ -221,6 +237,7 @@ BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
     if (mode == BoundaryMode::fixed || state.is_stable()) return state.find_fixed();
   }
   if (missing != 0) state.require_no_crossing();
+  state.require_room_between_facets();
   return state.conform(options);
 }
 
