@@ -218,11 +218,28 @@ std::optional<Rung> BoundaryFeatures<Dim>::rung(Vertex p, Vertex q, double lambd
   for (const Feature& f : features_without(p, q)) {
     for (const Feature& g : of_q) {
       if (f == g) continue;
+      std::optional<Rung> corner;
       std::optional<Rung> nearest;  // where they meet at an angle is the nearest place that they have in common
       for_each_common(f, g, [&](const Feature& common) {
         const double reach2 = std::min(distance2(a, common), distance2(b, common));
         if (!nearest || reach2 < nearest->reach2) nearest = Rung{f, g, common, reach2};
+        if (common.kind == Kind::corner && (!corner || reach2 < corner->reach2)) {
+          corner = Rung{f, g, common, reach2};
+        }
       });
+      // At an acute angle spirals run into the corners at the ends of a common segment.
+      if (nearest && corner && nearest->common.kind == Kind::segment &&
+          length2 >= lambda * lambda * nearest->reach2) {
+        const Point<Dim>& u = complex_->point(segments_[nearest->common.id].ends[0]);
+        const Point<Dim> along = complex_->point(segments_[nearest->common.id].ends[1]) - u;
+        const double scale = dot(along, along);
+        const double ta = dot(a - u, along);
+        const double tb = dot(b - u, along);
+        const double across = dot(a - u, b - u) - ta * tb / scale;
+        const double a2 = dot(a - u, a - u) - ta * ta / scale;
+        const double b2 = dot(b - u, b - u) - tb * tb / scale;
+        if (across > 0 && 4 * across * across > a2 * b2) nearest = corner;
+      }
       if (!nearest || length2 >= lambda * lambda * nearest->reach2) continue;
       if (!result || nearest->reach2 < result->reach2) result = nearest;
     }

@@ -33,13 +33,14 @@ double apart(const Point<Dim>& p) {
 
 template <int Dim>
 Conformer<Dim>::Conformer(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
-                          Boundary<Dim>& boundary, double lambda, double floor)
+                          Boundary<Dim>& boundary, double lambda, double floor, bool projects)
     : triangulation_(&triangulation),
       domain_(&domain),
       flow_(&flow),
       boundary_(&boundary),
       lambda_(lambda),
-      floor2_(floor * floor) {}
+      floor2_(floor * floor),
+      projects_(projects) {}
 
 template <int Dim>
 void Conformer<Dim>::start() {
@@ -187,7 +188,8 @@ double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const
       return (is_corner_u ? tu : tv) == 0 ? shell / length : 1 - shell / length;
     }
   }
-  if (Dim == 3 && !culprit.is_null() && features.is_on_boundary(culprit) && !boundary_->has_edge(s.u, s.v)) {
+  if (Dim == 3 && projects_ && !culprit.is_null() && features.is_on_boundary(culprit) &&
+      !boundary_->has_edge(s.u, s.v)) {
     const auto& ends = features.segments()[s.segment].ends;
     const Point<Dim> along = complex().point(ends[1]) - complex().point(ends[0]);
     const double t = dot(complex().point(culprit) - complex().point(ends[0]), along) / dot(along, along);

@@ -31,8 +31,10 @@ class Conformer {
   /// @param lambda  edges shorter than this times their distance from the place where two features meet are
   ///                rungs.
   /// @param floor   no two vertices get closer; gated.
+  /// @param projects  whether a missing sub-segment is divided where its culprit is nearest. That needs fewer
+  ///                points in most models, and too many in some, where middles line up by themselves.
   Conformer(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, Boundary<Dim>& boundary,
-            double lambda, double floor);
+            double lambda, double floor, bool projects);
 
   double lambda() const { return lambda_; }
   /// For the points to come.
@@ -44,6 +46,8 @@ class Conformer {
   /// @param may_continue  asked before each point.
   /// @return false if it said no.
   bool conform(const std::function<bool()>& may_continue);
+  /// Whether a sub-facet has been given up so far; a later point may still help it.
+  bool has_given_up() const { return !stuck_.empty(); }
   /// Sub-facets that are not conforming, and could not be made so. Call it after conform().
   std::vector<SubFacet> unconformed() const;
 
@@ -112,6 +116,7 @@ class Conformer {
   Boundary<Dim>* boundary_;
   double lambda_;
   double floor2_;
+  bool projects_;
 
   Cavity<Dim> cavity_;
   double nearest2_ = 0;  // squared distance of the last point from its nearest vertex

@@ -12,9 +12,9 @@ void require_valid(const RefineOptions& options) {
     throw InputError("max_ratio is " + std::to_string(options.max_ratio) +
                      ": it must be at least 1, or refinement need not end");
   }
-  if (!(options.boundary.small_angle > 0 && options.boundary.small_angle <= 60)) {
-    throw InputError("small_angle is " + std::to_string(options.boundary.small_angle) +
-                     ": it must be above 0 and at most 60 degrees");
+  const double angle = options.boundary.small_angle.value_or(BoundaryOptions::kSmallAngle3);
+  if (!(angle > 0 && angle <= 60)) {
+    throw InputError("small_angle is " + std::to_string(angle) + ": it must be above 0 and at most 60 degrees");
   }
   if (!(options.boundary.flat >= 0 && options.boundary.flat < 1)) {
     throw InputError("flat is " + std::to_string(options.boundary.flat) +
@@ -47,7 +47,17 @@ std::size_t& Remaining::count(LeftoverReason reason) {
 
 std::size_t Remaining::count(LeftoverReason reason) const { return Remaining(*this).count(reason); }
 
-const char* name(Insert insert) { return insert == Insert::sink ? "sink" : "circumcenter"; }
+const char* name(Insert insert) {
+  switch (insert) {
+    case Insert::sink:
+      return "sink";
+    case Insert::circumcenter:
+      return "circumcenter";
+    case Insert::automatic:
+      return "auto";
+  }
+  return "";
+}
 
 const char* name(Schedule schedule) {
   switch (schedule) {

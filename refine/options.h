@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "refine/quality.h"
@@ -18,6 +19,9 @@ namespace sinkmesh {
 enum class Insert : std::uint8_t {
   sink,          ///< the sinks of the simplex: where its circumcenter flows to [EG01, 4.3]
   circumcenter,  ///< its own circumcenter
+  /// Circumcenters in space where the boundary is divided, else sinks: sinks need fewer tries and fewer points in
+  /// the plane, but lie as far along the flow as possible, which calls for more points on a boundary in space.
+  automatic,
 };
 
 /// When points are inserted [EG01, 4.5].
@@ -45,7 +49,10 @@ struct BoundaryOptions {
   /// In degrees, above 0, at most 60. An edge between two features of the boundary that meet is not held
   /// against the simplices at it if an angle of this size at the common corner or segment explains how short it
   /// is. Smaller attacks more, with more points; below 17 runs may blow up [BR, 2].
-  double small_angle = 29;
+  /// Default: kSmallAngle3 in space, kSmallAngle2 in the plane.
+  std::optional<double> small_angle = {};
+  static constexpr double kSmallAngle3 = 29;
+  static constexpr double kSmallAngle2 = 60;
   /// Facets are one patch if all their vertices lie within this distance of one plane, as a fraction of the
   /// diagonal of the bounding box; 0: only if exactly coplanar. At least 0, below 1.
   double flat = 0x1p-42;
@@ -76,7 +83,7 @@ struct RefineOptions {
   /// Bound on r/l; a simplex above it is of low quality. At least 1, below which termination is not guaranteed
   /// [EG01, 4.4].
   double max_ratio = 2.0;
-  Insert insert = Insert::sink;
+  Insert insert = Insert::automatic;
   Schedule schedule = Schedule::incremental;
   /// Block and parallel: the paper's own rounds, which test the prestar of every candidate before they choose.
   /// The mesh is the same; the counts show what the pruned rounds save.
@@ -204,6 +211,7 @@ struct BoundaryResult {
 
 struct RefineResult {
   Stop stop = Stop::no_candidate;
+  Insert insert = Insert::sink;  ///< what `automatic` stood for
   std::size_t rounds = 0;
   std::size_t candidates = 0;  ///< points considered, over all rounds
   std::size_t prestars = 0;    ///< prestars searched for, also those given up early

@@ -89,7 +89,8 @@ struct SurfaceMesher<Dim>::State {
 
   BoundaryResult find_fixed();
   void require_no_crossing() const;
-  BoundaryResult conform(std::span<const HalfFacet> found, const RefineOptions& options);
+  void start_conforming(const BoundaryOptions& options, bool projects);
+  BoundaryResult conform(const RefineOptions& options);
   void restore(const typename Boundary<Dim>::Snapshot& snapshot);
   bool is_stable();
   std::vector<std::int64_t> parents_of(std::span<const HalfFacet> walls) const;
@@ -148,27 +149,40 @@ BoundaryResult SurfaceMesher<Dim>::State::find_fixed() {
 }
 
 template <int Dim>
-BoundaryResult SurfaceMesher<Dim>::State::conform(std::span<const HalfFacet> found,
-                                                  const RefineOptions& options) {
+void SurfaceMesher<Dim>::State::start_conforming(const BoundaryOptions& options, bool projects) {
   constexpr double kFloor = 0x1p-30;  // of the diagonal
+  const double default_angle = Dim == 2 ? BoundaryOptions::kSmallAngle2 : BoundaryOptions::kSmallAngle3;
   const Box<Dim>& box = triangulation.gate().box();
   const double diagonal = std::sqrt(squared_distance(box.low, box.high));
   domain = Domain<Dim>(triangulation);
-  boundary.emplace(triangulation, domain, used.facets, found, facet_tags, options.boundary.flat * diagonal);
-  rules = {&boundary->features(), 2 * std::sin(options.boundary.small_angle * (std::numbers::pi / 360)),
+  flow = Flow<Dim>(triangulation);
+  boundary.emplace(triangulation, domain, used.facets, domain.find(used.facets), facet_tags,
+                   options.flat * diagonal);
+  rules = {&boundary->features(),
+           2 * std::sin(options.small_angle.value_or(default_angle) * (std::numbers::pi / 360)),
            kFloor * diagonal};
-  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor);
+  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor, projects);
+  conformer->start();
+}
 
+template <int Dim>
+BoundaryResult SurfaceMesher<Dim>::State::conform(const RefineOptions& options) {
+  Budget budget(options);
+  for (const bool projects : {true, false}) {
+    start_conforming(options.boundary, projects);
+    conformer->conform([&] {
+      const Complex<Dim>& complex = triangulation.complex();
+      return budget.may_continue(complex.num_vertices(), complex.bytes()) &&
+             !(projects && conformer->has_given_up());
+    });
+    if (!conformer->has_given_up() || budget.stop() != Stop::no_candidate || !projects) break;
+    triangulation = Triangulation<Dim>(used.points);
+  }
   BoundaryResult result;
   result.mode = BoundaryMode::refine;
   result.patches = boundary->features().patches().size();
   result.joined_facets = Dim == 3 ? used.facets.size() - result.patches : 0;
   result.segments = boundary->features().segments().size();
-  Budget budget(options);
-  conformer->start();
-  conformer->conform([&] {
-    return budget.may_continue(triangulation.complex().num_vertices(), triangulation.complex().bytes());
-  });
   result.stop = budget.stop();
   result.points_on_segments = conformer->points_on_segments();
   result.points_on_patches = conformer->points_on_patches();
@@ -207,7 +221,7 @@ BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
     if (mode == BoundaryMode::fixed || state.is_stable()) return state.find_fixed();
   }
   if (missing != 0) state.require_no_crossing();
-  return state.conform(found, options);
+  return state.conform(options);
 }
 
 template <int Dim>
@@ -251,7 +265,7 @@ void SurfaceMesher<Dim>::State::restore(const typename Boundary<Dim>::Snapshot& 
   domain = Domain<Dim>(triangulation);
   flow = Flow<Dim>(triangulation);
   boundary->restore(snapshot);
-  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor);
+  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor, true);
   domain.label(used.facets, boundary->walls(), seeds);
   conformer->remember_regions();
 }

@@ -17,6 +17,7 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       flow_(&flow),
       inserter_(triangulation, domain, flow, options.max_ratio) {
   require_valid(options);
+  if (options_.insert == Insert::automatic) options_.insert = Insert::sink;
 }
 
 template <int Dim>
@@ -32,6 +33,7 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       on_segments_before_(conformer.points_on_segments()),
       on_patches_before_(conformer.points_on_patches()) {
   require_valid(options);
+  if (options_.insert == Insert::automatic) options_.insert = Dim == 2 ? Insert::sink : Insert::circumcenter;
   conformer.on_removal = [this](Simplex s) { inserter_.remove(s); };
   inserter_.on_new_at_wall = [this](HalfFacet wall) { boundary_->refresh(wall); };
 }
@@ -48,6 +50,7 @@ RefineResult Refiner<Dim>::run() {
   }
   if (conformer_ != nullptr) refine_boundary();
   result_.stop = is_valid_ ? budget_.stop() : std::max(budget_.stop(), Stop::budget);
+  result_.insert = options_.insert;
   result_.prestars = inserter_.num_prestars();
   result_.inserted = num_inserted();
   result_.rejected = inserter_.rejections();

@@ -30,7 +30,7 @@ void Refiner<Dim>::settle_boundary() {
 // leaves.
 template <int Dim>
 void Refiner<Dim>::refine_boundary() {
-  constexpr double kLeastLambda = 0.15;
+  constexpr double kLeastLambda = Dim == 2 ? HUGE_VAL : 0.29;
   constexpr double kStep = 0.6;
   last_valid_ = boundary_->snapshot();
   const bool is_given = on_segments_before_ + on_patches_before_ == 0;
@@ -184,7 +184,13 @@ bool Refiner<Dim>::insert_center_of_circle(Simplex s) {
   Candidate<Dim> candidate = inserter_.describe(s);
   candidate.center = center;
   ++round_.candidates;
-  return inserter_.insert(candidate) == Verdict::inserted;
+  if (inserter_.insert(candidate) == Verdict::inserted) return true;
+  for (const HalfFacet h : inserter_.encroached_walls(candidate)) {
+    if (!conformer_->split(boundary_->at(h), 0, 0)) continue;
+    settle_boundary();
+    return true;
+  }
+  return false;
 }
 
 // Each time one is moved out there is one less, or there is one more vertex.

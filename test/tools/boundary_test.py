@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Boundary refinement in space: surfaces that are not Delaunay or not stable as given, regions, small angles, limits."""
+"""Boundary refinement in space: surfaces not Delaunay or not stable as given, regions, small angles, limits."""
 import itertools
 import math
 import unittest
@@ -47,8 +47,8 @@ class Boundary(ProgramTest):
                      status=status)
         return self.report()
 
-    def refine_surface(self, surface, *options):
-        return self.refine(self.write("in.off", off(surface)), *options)
+    def refine_surface(self, surface, *options, status=0):
+        return self.refine(self.write("in.off", off(surface)), *options, status=status)
 
     def check(self, surface, report, volumes=None):
         """The mesh is what it shall be, by `inspect` and by an exact look, and what the report says."""
@@ -221,14 +221,13 @@ class Boundary(ProgramTest):
                 self.assertEqual(report["stop"], "budget")
 
     def test_a_limit_after_conforming_leaves_a_valid_mesh(self):
-        surface = shapes.plate(10000)
-        report = self.refine(self.write("in.off", off(surface)), "--time-limit", 0.2, status=3)
+        report = self.refine_surface(shapes.plate(100), "--max-vertices", 1000, status=3)
         self.assertEqual(report["stop"], "budget")
         self.check_leftovers(report)
         mesh = exact.Mesh(self.path("out.mesh"))
         self.assertEqual(mesh.defects(), [])
-        self.assertEqual(len(mesh.points), 1000)
-        self.assertAlmostEqual(mesh.volumes()[1], 1e-4, delta=1e-13)
+        self.assertLessEqual(len(mesh.points), 1000)
+        self.assertAlmostEqual(mesh.volumes()[1], 0.01, delta=1e-12)
 
     def test_order_and_orientation_do_not_matter(self):
         points, facets = EASY["l-shape"][0]

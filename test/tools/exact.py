@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""An exact look at a mesh of the program, in the plane or in space. Shares no code with it: whole numbers of any size."""
+"""An exact look at a mesh of the program, in the plane or in space: whole numbers of any size, no code of it."""
 import itertools
 import pathlib
 

@@ -23,7 +23,10 @@
 namespace sinkmesh::program {
 namespace {
 
-Insert insert_named(const std::string& name) { return name == "sink" ? Insert::sink : Insert::circumcenter; }
+Insert insert_named(const std::string& name) {
+  if (name == "auto") return Insert::automatic;
+  return name == "sink" ? Insert::sink : Insert::circumcenter;
+}
 Schedule schedule_named(const std::string& name) {
   if (name == "incremental") return Schedule::incremental;
   return name == "block" ? Schedule::block : Schedule::parallel;
@@ -170,17 +173,19 @@ class RefineRun {
                        {"dimension", Dim},
                        {"duplicates", triangulation.duplicates().size()},
                        {"rounded_points", triangulation.gate().rounded_points()}};
-    report["options"] = {{"ratio", ratio_},
-                         {"insert", arguments_.insert},
-                         {"schedule", arguments_.schedule},
-                         {"literal", arguments_.literal},
-                         {"fallback", arguments_.fallback},
-                         {"boundary", arguments_.boundary},
-                         {"small_angle", arguments_.small_angle},
-                         {"flat", arguments_.flat},
-                         {"threads", arguments_.threads},
-                         {"max_vertices", limit(arguments_.max_vertices)},
-                         {"time_limit", limit(arguments_.time_limit)}};
+    report["options"] = {
+        {"ratio", ratio_},
+        {"insert", name(result_.insert)},
+        {"schedule", arguments_.schedule},
+        {"literal", arguments_.literal},
+        {"fallback", arguments_.fallback},
+        {"boundary", arguments_.boundary},
+        {"small_angle", arguments_.small_angle.value_or(Dim == 2 ? BoundaryOptions::kSmallAngle2
+                                                                 : BoundaryOptions::kSmallAngle3)},
+        {"flat", arguments_.flat},
+        {"threads", arguments_.threads},
+        {"max_vertices", limit(arguments_.max_vertices)},
+        {"time_limit", limit(arguments_.time_limit)}};
     report["peeled"] = {{"simplices", boundary_.peeled_simplices}, {"facets", boundary_.peeled_facets}};
     report["boundary"] = to_json(boundary_, result_);
     report["initial"] = has_mesh ? to_json(Dim, initial_vertices_, initial_) : Json();
@@ -271,8 +276,11 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
       ->check(at_most(30, "the largest for which refinement is sure to end"))
       ->type_name("DEGREES")
       ->default_str("30");
-  command->add_option("--insert", arguments.insert, "Which points to insert")
-      ->check(CLI::IsMember({"sink", "circumcenter"}))
+  command
+      ->add_option(
+          "--insert", arguments.insert,
+          "Which points to insert; auto: circumcenters in space where the boundary is divided, else sinks")
+      ->check(CLI::IsMember({"auto", "sink", "circumcenter"}))
       ->capture_default_str();
   command->add_option("--schedule", arguments.schedule, "How many at a time")
       ->check(CLI::IsMember({"incremental", "block", "parallel"}))

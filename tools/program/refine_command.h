@@ -18,11 +18,11 @@ struct RefineArguments {
   FileArguments files;
   std::optional<double> ratio;      // by dimension
   std::optional<double> min_angle;  // the same in degrees, in the plane
-  std::string insert = "sink";
+  std::string insert = "auto";
   std::string schedule = "incremental";
   std::string fallback = "none";
   std::string boundary = "auto";
-  double small_angle = BoundaryOptions().small_angle;
+  std::optional<double> small_angle;
   double flat = BoundaryOptions().flat;
   bool literal = false;
   unsigned threads = 1;
