@@ -195,10 +195,11 @@ TEST(Refiner, CachedVerdictsAreThoseOfTheLiteralRounds) {
     options.insert = insert;
     options.schedule = schedule;
     options.max_ratio = 1;
+    options.boundary.mode = BoundaryMode::fixed;
     std::vector<std::uint64_t> hashes;
     for (const bool literal : {false, true}) {
       SurfaceMesher3 mesher(surface);
-      mesher.find_domain();
+      mesher.find_domain(options);
       options.literal = literal;
       const RefineResult result = mesher.refine(options);
       EXPECT_GT(result.rejected.boundary, 20U);
@@ -334,7 +335,7 @@ TEST(SurfaceMesher, SurfaceThatIsNotDelaunayIsRefusedWithTheNumberOfFacets) {
   Surface3 surface =
       test::join(test::box_surface({0, 0, 0}, {10, 10, 1}), test::box_surface({4, 4, 1.5}, {6, 6, 2}));
   try {
-    SurfaceMesher3(surface).find_domain();
+    SurfaceMesher3(surface).find_domain({.boundary = {.mode = BoundaryMode::fixed}});
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("of 24 facets"), std::string::npos) << error.what();
