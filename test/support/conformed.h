@@ -30,7 +30,7 @@ struct Conforming {
         flow(triangulation),
         facets(facets_of(surface)),
         boundary(triangulation, domain, facets, domain.find(facets), surface.facet_tags, flat * 4),
-        conformer(triangulation, domain, flow, boundary, 0.5, 0x1p-30) {}
+        conformer(triangulation, domain, flow, boundary, 0.5, 0x1p-30, true) {}
   Conforming(const Conforming&) = delete;
   Conforming& operator=(const Conforming&) = delete;
 
