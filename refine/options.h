@@ -19,8 +19,9 @@ namespace sinkmesh {
 enum class Insert : std::uint8_t {
   sink,          ///< the sinks of the simplex: where its circumcenter flows to [EG01, 4.3]
   circumcenter,  ///< its own circumcenter
-  /// Circumcenters in space where the boundary is divided, else sinks: sinks need fewer tries and fewer points in
-  /// the plane, but lie as far along the flow as possible, which calls for more points on a boundary in space.
+  /// Circumcenters in space where the boundary is divided, else sinks: sinks need fewer tries and fewer points
+  /// in the plane, but lie as far along the flow as possible, which calls for more points on a boundary in
+  /// space.
   automatic,
 };
 

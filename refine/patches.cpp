@@ -79,8 +79,8 @@ std::size_t needle_point(const Complex<3>& complex, const std::array<Vertex, 3>&
 
 }  // namespace
 
-// Each exchange takes one needle away; a pass that makes none is the last. Two needles at one edge could hand it to
-// and fro, so there are not more passes than could be needed.
+// Each exchange takes one needle away; a pass that makes none is the last. Two needles at one edge could hand
+// it to and fro, so there are not more passes than could be needed.
 std::vector<PlacedFacet> without_needles(const Complex<3>& complex,
                                          std::span<const std::array<Vertex, 3>> facets,
                                          std::span<const std::int64_t> tags, double flat) {

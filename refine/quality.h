@@ -33,7 +33,8 @@ Shape facet_shape(FacetCorners<Dim> corners);
 template <int Dim>
 double facet_area2(const FacetCorners<Dim>& corners);
 
-/// The center of the diametral sphere of a facet; rounded. Not finite if the facet has no area that doubles see.
+/// The center of the diametral sphere of a facet; rounded. Not finite if the facet has no area that doubles
+/// see.
 template <int Dim>
 Point<Dim> facet_center(const FacetCorners<Dim>& corners);
 

@@ -25,8 +25,8 @@ void Refiner<Dim>::settle_boundary() {
 // stands; that keeps the mesh small. What is left then has to be content with any that makes no edge shorter
 // than the one that is to go.
 //
-// Points on the boundary may leave more simplices that a small angle excuses than they mend. On a surface that is
-// conforming as given, fewer are excused then, until there are no more of low quality than a fixed boundary
+// Points on the boundary may leave more simplices that a small angle excuses than they mend. On a surface that
+// is conforming as given, fewer are excused then, until there are no more of low quality than a fixed boundary
 // leaves.
 template <int Dim>
 void Refiner<Dim>::refine_boundary() {
@@ -93,7 +93,7 @@ bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
       return insert_center_of(s);
     }
     constexpr double kStrict2 = 0.7;
-    // In the plane: what a shell at a third of a segment leaves of the radius of a center that encroaches on it.
+    // In the plane: what a shell at a third of a segment leaves of the radius of a center that encroaches it.
     constexpr double kShell2 = 0.22;
     const double generous2 = Dim == 2 ? kShell2 * candidate.radius2 : relaxed2;
     const double least2 = generous_ ? generous2 : kStrict2 * candidate.radius2;
