@@ -93,8 +93,7 @@ bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
       return insert_center_of(s);
     }
     constexpr double kStrict2 = 0.7;
-    // In the plane: what a shell at a third of a segment leaves of the radius of a center that encroaches on
-    // it.
+    // In the plane: what a shell at a third of a segment leaves of the radius of a center that encroaches it.
     constexpr double kShell2 = 0.22;
     const double generous2 = Dim == 2 ? kShell2 * candidate.radius2 : relaxed2;
     const double least2 = generous_ ? generous2 : kStrict2 * candidate.radius2;

@@ -30,22 +30,24 @@ double inside_of(const Conforming<Dim>& c) {
 TYPED_TEST(Conform, EverySurfaceBecomesDelaunayAndKeepsItsShape) {
   constexpr int kDim = TypeParam::value;
   for (const auto& [name, surface, measure, is_exact] : test::boundary_surfaces<kDim>()) {
-    SCOPED_TRACE(name);
-    Conforming<kDim> c(surface);
-    c.conformer.start();
-    ASSERT_TRUE(c.conform());
-    EXPECT_TRUE(c.conformer.unconformed().empty());
-    test::expect_conforming(c);
-    test::expect_walls(c);
-    test::expect_pieces(c, is_exact);
-    test::expect_places(c);
-    const std::size_t points = c.conformer.points_on_segments() + c.conformer.points_on_patches();
-    EXPECT_EQ(c.complex().num_vertices(), surface.points.size() + points);
-    c.label();
-    if (is_exact) {
-      EXPECT_EQ(inside_of(c), measure);
-    } else {
-      EXPECT_NEAR(inside_of(c), measure, 1e-12 * std::max(measure, 1.0));
+    for (const bool projects : {true, false}) {
+      SCOPED_TRACE(name + (projects ? "" : ", middles"));
+      Conforming<kDim> c(surface, projects);
+      c.conformer.start();
+      ASSERT_TRUE(c.conform());
+      EXPECT_TRUE(c.conformer.unconformed().empty());
+      test::expect_conforming(c);
+      test::expect_walls(c);
+      test::expect_pieces(c, is_exact);
+      test::expect_places(c);
+      const std::size_t points = c.conformer.points_on_segments() + c.conformer.points_on_patches();
+      EXPECT_EQ(c.complex().num_vertices(), surface.points.size() + points);
+      c.label();
+      if (is_exact) {
+        EXPECT_EQ(inside_of(c), measure);
+      } else {
+        EXPECT_NEAR(inside_of(c), measure, 1e-12 * std::max(measure, 1.0));
+      }
     }
   }
 }

@@ -23,14 +23,14 @@ struct Conforming {
   using Facet = std::array<Vertex, Dim>;
 
   /// Requires a surface without unused points.
-  explicit Conforming(const Surface<Dim>& given, double flat = 0x1p-42)
+  explicit Conforming(const Surface<Dim>& given, bool projects = true)
       : surface(given),
         triangulation(surface.points),
         domain(triangulation),
         flow(triangulation),
         facets(facets_of(surface)),
-        boundary(triangulation, domain, facets, domain.find(facets), surface.facet_tags, flat * 4),
-        conformer(triangulation, domain, flow, boundary, 0.5, 0x1p-30, true) {}
+        boundary(triangulation, domain, facets, domain.find(facets), surface.facet_tags, 0x1p-40),
+        conformer(triangulation, domain, flow, boundary, 0.5, 0x1p-30, projects) {}
   Conforming(const Conforming&) = delete;
   Conforming& operator=(const Conforming&) = delete;
 
