@@ -83,7 +83,7 @@ Boundary<Dim>::Boundary(const Triangulation<Dim>& triangulation, Domain<Dim>& do
   };
   for (std::size_t f = 0; f < records.size(); ++f) {
     if (sorted(records[f].corners) == sorted(facets[f])) {
-      place(sub_facets_.add(records[f]), found[f]);
+      place(sub_facets_.add(canonical(records[f])), found[f]);
     } else {
       add(records[f]);
     }
@@ -204,9 +204,23 @@ void Boundary<Dim>::place(SubFacet f, HalfFacet at) {
   domain_->add_wall(complex().mate(at));
 }
 
+// The same sub-facet with its least corner first: loops over corners then go by geometry.
+template <int Dim>
+auto Boundary<Dim>::canonical(typename SubFacets<Dim>::Record record) const -> typename SubFacets<Dim>::Record {
+  if constexpr (Dim == 3) {
+    const auto least =
+        std::min_element(record.corners.begin(), record.corners.end(),
+                         [this](Vertex a, Vertex b) { return complex().point(a) < complex().point(b); });
+    const auto shift = least - record.corners.begin();
+    std::rotate(record.corners.begin(), least, record.corners.end());
+    std::rotate(record.segment.begin(), record.segment.begin() + shift, record.segment.end());
+  }
+  return record;
+}
+
 template <int Dim>
 SubFacet Boundary<Dim>::add(const typename SubFacets<Dim>::Record& record) {
-  const SubFacet f = sub_facets_.add(record);
+  const SubFacet f = sub_facets_.add(canonical(record));
   place(f, star_walk_.find_facet(complex(), record.corners));
   return f;
 }

@@ -100,6 +100,7 @@ class Boundary {
  private:
   const Complex<Dim>& complex() const { return triangulation_->complex(); }
   void place(SubFacet f, HalfFacet at);
+  typename SubFacets<Dim>::Record canonical(typename SubFacets<Dim>::Record record) const;
 
   const Triangulation<Dim>* triangulation_;
   Domain<Dim>* domain_;

@@ -12,6 +12,7 @@ namespace sinkmesh {
 using Kind = Feature::Kind;
 
 Plane Plane::through(const Point3& a, const Point3& b, const Point3& c) {
+  if (b < a || c < a) return b < c ? through(b, c, a) : through(c, a, b);
   Plane plane;
   plane.origin = a;
   plane.normal = facet_normal<3>({&a, &b, &c});
@@ -43,6 +44,8 @@ double Plane::distance(const Point3& p) const { return std::abs(dot(normal, p - 
 
 template <int Dim>
 std::uint32_t BoundaryFeatures<Dim>::add_segment(Vertex a, Vertex b) {
+  // By coordinates: how points on it are rounded must not depend on the order of the input.
+  if (complex_->point(b) < complex_->point(a)) std::swap(a, b);
   segments_.push_back({{a, b}});
   segment_patches_.emplace_back();
   return static_cast<std::uint32_t>(segments_.size() - 1);

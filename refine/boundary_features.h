@@ -62,7 +62,7 @@ template <int Dim>
 class BoundaryFeatures {
  public:
   struct Segment {
-    std::array<Vertex, 2> ends;
+    std::array<Vertex, 2> ends;  ///< ordered by coordinates
   };
   struct Patch {
     std::uint32_t facet = 0;  ///< of the surface, its largest

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "core/mix.h"
 #include "refine/quality.h"
@@ -48,10 +50,23 @@ void Conformer<Dim>::start() {
   boundary_->sub_facets().for_each([this](SubFacet f) { enqueue(f); });
 }
 
+// The end that comes first by coordinates.
+template <int Dim>
+const Point<Dim>& Conformer<Dim>::lower_end(const SubSegment& s) const {
+  return std::min(complex().point(s.u), complex().point(s.v));
+}
+
+template <int Dim>
+auto Conformer<Dim>::entry_of(const SubSegment& s) const -> SegmentEntry {
+  const Point<Dim>& u = complex().point(s.u);
+  const Point<Dim>& v = complex().point(s.v);
+  return {squared_distance(u, v), hash_point<Dim>(u) + hash_point<Dim>(v), s};
+}
+
 template <int Dim>
 void Conformer<Dim>::enqueue(SubFacet f) {
   if (boundary_->is_missing(f)) {
-    for (const SubSegment& s : boundary_->sub_segments(f)) segment_queue_.push_back(s);
+    for (const SubSegment& s : boundary_->sub_segments(f)) segment_queue_.push(entry_of(s));
   } else if (boundary_->encroaching_apexes(f).empty()) {
     return;
   }
@@ -73,11 +88,12 @@ template <int Dim>
 bool Conformer<Dim>::conform(const std::function<bool()>& may_continue) {
   for (;;) {
     if (Dim == 3 && !segment_queue_.empty()) {
-      const SubSegment s = segment_queue_.front();
-      segment_queue_.pop_front();
+      const SegmentEntry entry = segment_queue_.top();
+      const SubSegment s = entry.segment;
+      segment_queue_.pop();
       if (boundary_->sub_facets().segment_of(s.u, s.v) != s.segment || boundary_->has_edge(s.u, s.v)) continue;
       if (!may_continue()) {
-        segment_queue_.push_front(s);
+        segment_queue_.push(entry);
         return false;
       }
       mend(s);
@@ -193,8 +209,9 @@ double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const
     const auto& ends = features.segments()[s.segment].ends;
     const Point<Dim> along = complex().point(ends[1]) - complex().point(ends[0]);
     const double t = dot(complex().point(culprit) - complex().point(ends[0]), along) / dot(along, along);
-    const double part = (t - tu) / (tv - tu);
-    if (part > 0.2 && part < 0.8) return tu + part * apart<Dim>(complex().point(culprit)) * (tv - tu);
+    const auto [low, high] = std::minmax(tu, tv);
+    const double part = (t - low) / (high - low);
+    if (part > 0.2 && part < 0.8) return low + part * apart<Dim>(complex().point(culprit)) * (high - low);
   }
   return (tu + tv) / 2;
 }
@@ -214,8 +231,12 @@ std::optional<Point<Dim>> Conformer<Dim>::mirror_image(SubFacet f, Vertex q) con
       for (const std::uint32_t s : features.patches()[other].segments) {
         const auto& at = features.patches_at_segment(s);
         if (std::find(at.begin(), at.end(), patch) == at.end()) continue;
-        const auto distance2 = [&](std::uint32_t x) { return features.distance2(p, {Kind::segment, x}); };
-        if (!nearest || distance2(s) < distance2(*nearest)) nearest = s;
+        const auto key = [&](std::uint32_t x) {
+          const auto& e = features.segments()[x].ends;
+          return std::tuple(features.distance2(p, {Kind::segment, x}), complex().point(e[0]),
+                            complex().point(e[1]));
+        };
+        if (!nearest || key(s) < key(*nearest)) nearest = s;
       }
     }
     if (!nearest) return std::nullopt;
@@ -339,10 +360,10 @@ std::optional<SubSegment> Conformer<Dim>::encroached_segment(const PatchTriangul
         const Point3& u = complex().point(s.u);
         const Point3& v = complex().point(s.v);
         const double length2 = squared_distance(u, v);
-        if (dot(u - x, v - x) < 0 && length2 > longest2) {
-          longest = s;
-          longest2 = length2;
-        }
+        if (dot(u - x, v - x) >= 0 || length2 < longest2) continue;
+        if (longest && length2 == longest2 && lower_end(*longest) < lower_end(s)) continue;
+        longest = s;
+        longest2 = length2;
       }
       for (std::size_t k = 0; k < 3; ++k) {
         if (boundary_->sub_facets()[f].segment[k] != SubFacets<3>::kNone) continue;

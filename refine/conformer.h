@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <queue>
@@ -86,12 +85,22 @@ class Conformer {
       return radius2 != other.radius2 ? radius2 < other.radius2 : tie < other.tie;
     }
   };
+  struct SegmentEntry {
+    double length2;
+    std::uint64_t tie;
+    SubSegment segment;
+    bool operator<(const SegmentEntry& other) const {
+      return length2 != other.length2 ? length2 < other.length2 : tie < other.tie;
+    }
+  };
   struct Distances {
     double facet2;
     double segment2;
   };
 
   const Complex<Dim>& complex() const { return triangulation_->complex(); }
+  const Point<Dim>& lower_end(const SubSegment& s) const;
+  SegmentEntry entry_of(const SubSegment& s) const;
   void enqueue(SubFacet f);
   void enqueue_created();
   void mend(const SubSegment& sub_segment);
@@ -120,7 +129,7 @@ class Conformer {
 
   Cavity<Dim> cavity_;
   double nearest2_ = 0;  // squared distance of the last point from its nearest vertex
-  std::deque<SubSegment> segment_queue_;
+  std::priority_queue<SegmentEntry> segment_queue_;
   std::priority_queue<Entry> facet_queue_;
   std::vector<std::pair<SubFacet, std::uint32_t>> stuck_;
   std::vector<SubFacet> created_;

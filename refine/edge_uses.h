@@ -20,7 +20,8 @@ struct EdgeUse {
   auto operator<=>(const EdgeUse&) const = default;
 };
 
-/// Calls visit(first, last) with the range of uses of each edge, in the order of the edges; within an edge by facet.
+/// Calls visit(first, last) with the range of uses of each edge, in the order of the edges; within an edge by
+/// facet.
 /// @param corners_of  the three vertices of facet number f. Log-linear.
 template <class CornersOf, class Visit>
 void for_each_edge(std::size_t num_facets, CornersOf&& corners_of, Visit&& visit) {

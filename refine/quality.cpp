@@ -99,23 +99,25 @@ Shape facet_shape<2>(FacetCorners<2> corners) {
 }
 
 template <>
-double facet_area2<2>(const FacetCorners<2>& corners) {
+double facet_area2<2>(FacetCorners<2> corners) {
   return squared_distance(*corners[0], *corners[1]);
 }
 
 template <>
-double facet_area2<3>(const FacetCorners<3>& corners) {
+double facet_area2<3>(FacetCorners<3> corners) {
+  sort_corners(corners);
   const Point3 n = cross(*corners[1] - *corners[0], *corners[2] - *corners[0]);
   return dot(n, n);
 }
 
 template <>
-Point2 facet_center<2>(const FacetCorners<2>& corners) {
+Point2 facet_center<2>(FacetCorners<2> corners) {
   return {((*corners[0])[0] + (*corners[1])[0]) / 2, ((*corners[0])[1] + (*corners[1])[1]) / 2};
 }
 
 template <>
-Point3 facet_center<3>(const FacetCorners<3>& corners) {
+Point3 facet_center<3>(FacetCorners<3> corners) {
+  sort_corners(corners);
   const Point3 u = *corners[1] - *corners[0];
   const Point3 v = *corners[2] - *corners[0];
   const Point3 n = cross(u, v);

@@ -31,12 +31,12 @@ Shape facet_shape(FacetCorners<Dim> corners);
 
 /// Square of the area of a facet (in the plane: length), up to a constant factor; rounded.
 template <int Dim>
-double facet_area2(const FacetCorners<Dim>& corners);
+double facet_area2(FacetCorners<Dim> corners);
 
 /// The center of the diametral sphere of a facet; rounded. Not finite if the facet has no area that doubles
 /// see.
 template <int Dim>
-Point<Dim> facet_center(const FacetCorners<Dim>& corners);
+Point<Dim> facet_center(FacetCorners<Dim> corners);
 
 /// The smallest and the largest dihedral angle of a tetrahedron, angle of a triangle; in degrees.
 struct Angles {

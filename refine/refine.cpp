@@ -91,7 +91,7 @@ struct SurfaceMesher<Dim>::State {
   BoundaryResult find_fixed();
   void require_no_crossing() const;
   void require_room_between_facets() const;
-  void start_conforming(const BoundaryOptions& options, bool projects);
+  void start_conforming(const BoundaryOptions& options);
   BoundaryResult conform(const RefineOptions& options);
   void restore(const typename Boundary<Dim>::Snapshot& snapshot);
   bool is_stable();
@@ -108,6 +108,7 @@ struct SurfaceMesher<Dim>::State {
   std::optional<Boundary<Dim>> boundary;
   std::optional<Conformer<Dim>> conformer;
   BoundaryRules<Dim> rules;
+  bool projects = true;  // see Conformer
   std::vector<Leftover<Dim>> leftovers;
 };
 
@@ -165,7 +166,7 @@ void SurfaceMesher<Dim>::State::require_room_between_facets() const {
 }
 
 template <int Dim>
-void SurfaceMesher<Dim>::State::start_conforming(const BoundaryOptions& options, bool projects) {
+void SurfaceMesher<Dim>::State::start_conforming(const BoundaryOptions& options) {
   constexpr double kFloor = 0x1p-30;  // of the diagonal
   const double default_angle = Dim == 2 ? BoundaryOptions::kSmallAngle2 : BoundaryOptions::kSmallAngle3;
   const Box<Dim>& box = triangulation.gate().box();
@@ -184,14 +185,15 @@ void SurfaceMesher<Dim>::State::start_conforming(const BoundaryOptions& options,
 template <int Dim>
 BoundaryResult SurfaceMesher<Dim>::State::conform(const RefineOptions& options) {
   Budget budget(options);
-  for (const bool projects : {true, false}) {
-    start_conforming(options.boundary, projects);
+  for (;;) {
+    start_conforming(options.boundary);
     conformer->conform([&] {
       const Complex<Dim>& complex = triangulation.complex();
       return budget.may_continue(complex.num_vertices(), complex.bytes()) &&
              !(projects && conformer->has_given_up());
     });
     if (!conformer->has_given_up() || budget.stop() != Stop::no_candidate || !projects) break;
+    projects = false;
     triangulation = Triangulation<Dim>(used.points);
   }
   BoundaryResult result;
@@ -282,7 +284,7 @@ void SurfaceMesher<Dim>::State::restore(const typename Boundary<Dim>::Snapshot& 
   domain = Domain<Dim>(triangulation);
   flow = Flow<Dim>(triangulation);
   boundary->restore(snapshot);
-  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor, true);
+  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor, projects);
   domain.label(used.facets, boundary->walls(), seeds);
   conformer->remember_regions();
 }

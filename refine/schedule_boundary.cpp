@@ -150,6 +150,7 @@ bool Refiner<Dim>::bring_centers_inside() {
   bool has_inserted = false;
   for (const Barrier& barrier : barriers) {
     if (!boundary_->sub_facets().is_current(barrier.facet, barrier.birth)) continue;
+    if (!may_continue()) break;
     if (!conformer_->split(barrier.facet, 0, 0)) continue;
     settle_boundary();
     has_inserted = true;
@@ -211,6 +212,7 @@ bool Refiner<Dim>::expel_flat_simplices() {
   for (const Entry& entry : entries) {
     const Simplex s = entry.simplex;
     if (!inserter_.is_current(s, entry.birth)) continue;
+    if (!may_continue()) break;
     if (conformer_->expel(s)) {
       settle_boundary();
       has_changed = true;

@@ -317,7 +317,7 @@ Surface<Dim> in_another_order(const Surface<Dim>& s, std::uint64_t seed) {
   return result;
 }
 
-TYPED_TEST(BoundaryRefiner, DISABLED_DoesNotDependOnTheOrderOfTheInput) {
+TYPED_TEST(BoundaryRefiner, DoesNotDependOnTheOrderOfTheInput) {
   constexpr int kDim = TypeParam::value;
   for (const auto& input : inputs<kDim>()) {
     for (const Combination& combination : combinations()) {

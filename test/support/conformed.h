@@ -165,8 +165,9 @@ inline void expect_pieces(const Conforming<2>& c, bool) {
     const auto& record = c.boundary.sub_facets()[f];
     for (const Vertex v : record.corners) ASSERT_TRUE(features.is_on_segment(v, record.owner));
     ASSERT_EQ(record.owner, record.parent);
-    const double from = features.position(record.corners[0], record.owner);
-    const double to = features.position(record.corners[1], record.owner);
+    const double one = features.position(record.corners[0], record.owner);
+    const double other = features.position(record.corners[1], record.owner);
+    const auto [from, to] = std::minmax({one, other});
     ASSERT_LT(from, to);
     ASSERT_TRUE(next[record.owner].try_emplace(from, to).second);
   }
