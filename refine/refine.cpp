@@ -94,6 +94,7 @@ struct SurfaceMesher<Dim>::State {
   void start_conforming(const BoundaryOptions& options);
   BoundaryResult conform(const RefineOptions& options);
   void restore(const typename Boundary<Dim>::Snapshot& snapshot);
+  std::size_t count_vertices(Feature::Kind kind, std::size_t first) const;
   bool is_stable();
   std::vector<std::int64_t> parents_of(std::span<const HalfFacet> walls) const;
 
@@ -177,7 +178,7 @@ void SurfaceMesher<Dim>::State::start_conforming(const BoundaryOptions& options)
                    options.flat * diagonal);
   rules = {&boundary->features(),
            2 * std::sin(options.small_angle.value_or(default_angle) * (std::numbers::pi / 360)),
-           kFloor * diagonal};
+           kFloor * diagonal, true};
   conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor, projects);
   conformer->start();
 }
@@ -261,18 +262,31 @@ RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
     return result;
   }
   state.restore(*refiner.last_valid());
-  // Nothing more is to be done: only what is left is to be told.
+  // Only what is left is to be told; where all had been tried, a second look finds nothing to insert.
   RefineOptions no_more = options;
-  no_more.max_vertices = 0;
-  Refiner<Dim> teller(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer,
-                      state.rules, no_more);
+  no_more.observer = {};
+  if (result.stop != Stop::no_candidate) no_more.max_vertices = 0;
+  BoundaryRules<Dim> rules = state.rules;
+  rules.may_excuse_fewer = false;
+  Refiner<Dim> teller(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer, rules,
+                      no_more);
   RefineResult told = result;
   told.remaining = teller.run().remaining;
   told.inserted = state.triangulation.complex().num_vertices() - before;
-  told.points_on_segments = 0;
-  told.points_on_patches = 0;
+  told.points_on_segments = state.count_vertices(Feature::Kind::segment, before);
+  told.points_on_patches = state.count_vertices(Feature::Kind::patch, before);
   state.leftovers = teller.leftovers();
   return told;
+}
+
+// Of those from `first` on, the ones that lie on a feature of this kind.
+template <int Dim>
+std::size_t SurfaceMesher<Dim>::State::count_vertices(Feature::Kind kind, std::size_t first) const {
+  std::size_t count = 0;
+  for (auto v = static_cast<std::uint32_t>(first); v < triangulation.complex().num_vertices(); ++v) {
+    count += boundary->features().vertex(Vertex(v)).on.kind == kind ? 1 : 0;
+  }
+  return count;
 }
 
 // The vertices that were there, and the Delaunay triangulation of them, which is unique.

@@ -30,6 +30,7 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       boundary_(&boundary),
       conformer_(&conformer),
       inserter_(triangulation, domain, flow, options.max_ratio, rules),
+      may_excuse_fewer_(rules.may_excuse_fewer),
       on_segments_before_(conformer.points_on_segments()),
       on_patches_before_(conformer.points_on_patches()) {
   require_valid(options);
@@ -49,7 +50,7 @@ RefineResult Refiner<Dim>::run() {
     run_rounds();
   }
   if (conformer_ != nullptr) refine_boundary();
-  result_.stop = is_valid_ ? budget_.stop() : std::max(budget_.stop(), Stop::budget);
+  result_.stop = is_valid_ || is_bold_ ? budget_.stop() : std::max(budget_.stop(), Stop::budget);
   result_.insert = options_.insert;
   result_.prestars = inserter_.num_prestars();
   result_.inserted = num_inserted();

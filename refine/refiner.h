@@ -102,6 +102,8 @@ class Refiner {
   std::size_t inserted_before_round_ = 0;
   bool generous_ = false;  // with points on the boundary
   bool is_valid_ = true;
+  bool may_excuse_fewer_ = false;
+  bool is_bold_ = false;  // fewer are excused than was asked for: if that fails, the state before is the result
   std::optional<typename Boundary<Dim>::Snapshot> last_valid_;
   std::size_t on_segments_before_ = 0;
   std::size_t on_patches_before_ = 0;

@@ -32,11 +32,12 @@ template <int Dim>
 void Refiner<Dim>::refine_boundary() {
   constexpr double kLeastLambda = Dim == 2 ? HUGE_VAL : 0.29;
   constexpr double kStep = 0.6;
-  last_valid_ = boundary_->snapshot();
-  const bool is_given = on_segments_before_ + on_patches_before_ == 0;
+  const bool is_given = may_excuse_fewer_ && on_segments_before_ + on_patches_before_ == 0;
   const std::size_t fixed = inserter_.num_low_quality();
   for (double lambda = conformer_->lambda();; lambda *= kStep) {
+    last_valid_ = boundary_->snapshot();
     if (lambda != conformer_->lambda()) {
+      is_bold_ = true;
       boundary_->forget_relaxed_radii();
       conformer_->set_lambda(lambda);
       inserter_.set_lambda(lambda);

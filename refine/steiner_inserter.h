@@ -39,6 +39,8 @@ struct BoundaryRules {
   const BoundaryFeatures<Dim>* features = nullptr;
   double lambda = 0;  ///< see BoundaryFeatures::rung()
   double floor = 0;   ///< no edge counts as shorter; gated
+  /// Whether lambda may be lowered where more would remain than with a fixed boundary.
+  bool may_excuse_fewer = true;
 };
 
 /// Keeps the triangulation, the domain, the flow and the list of simplices of low quality together while points
