@@ -92,7 +92,7 @@ void Refiner<Dim>::end_round() {
   // Points that bring circumcenters inside, between two rounds, belong to the second.
   round_.inserted = num_inserted() - inserted_before_round_;
   inserted_before_round_ = num_inserted();
-  if (!options_.observer) return;
+  if (!is_valid_ || !options_.observer) return;
   round_.vertices = num_vertices();
   round_.simplices = inserter_.num_simplices();
   round_.low_quality = inserter_.num_low_quality();
