@@ -26,7 +26,7 @@ struct Feature {
 struct BoundaryVertex {
   Feature on;               ///< the smallest feature that holds it
   double t = 0;             ///< on a segment: from 0 at its first end to 1 at its last
-  std::uint32_t level = 0;  ///< how many culprits, one for the other, led to it; 0 for corners and for quality
+  std::uint32_t level = 0;  ///< 0 for corners; else one more than that of its culprit, if it has one
   double relaxed2 = 0;      ///< squared relaxed radius [BR, 6]
   Vertex culprit = {};      ///< from which it was inherited, or null
 };

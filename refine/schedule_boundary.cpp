@@ -2,7 +2,7 @@
 //
 // Dividing the boundary: for quality, and to bring every circumcenter inside [BR, 6].
 //
-// Points on the boundary go in one at a time, between the rounds of all schedules: they are few, and what
+// Points on the boundary go in one at a time, after the rounds of all schedules: they are few, and what
 // follows from one is not local in advance.
 #include <algorithm>
 #include <cmath>
