@@ -40,6 +40,48 @@ template <int Dim>
 Location<Dim> walk_to(const Complex<Dim>& complex, const Predicates<Dim>& predicates, const PointArg<Dim>& p,
                       Simplex start);
 
+/// The walk itself, for those that want to stop on the way.
+/// @param is_end     asked at each solid simplex: whether to stop there.
+/// @param may_leave  asked at each facet that the walk wants to cross, as the half-facet of the simplex before
+///                   it: if it may not, the walk stops there.
+template <int Dim, class IsEnd, class MayLeave>
+Location<Dim> visibility_walk(const Complex<Dim>& complex, const Predicates<Dim>& predicates,
+                              const PointArg<Dim>& p, Simplex start, IsEnd&& is_end, MayLeave&& may_leave) {
+  Location<Dim> at;
+  at.simplex = complex.is_ghost(start) ? complex.neighbor(start, Dim) : start;
+  int entry = -1;
+  for (;;) {
+    ++at.steps;
+    if (is_end(at.simplex)) return at;
+    const Corners<Dim> corners = complex.corners(at.simplex);
+    HalfFacet exit;
+    // The facets are asked in a turning order: always the same first facet would draw the walk along one
+    // direction.
+    for (int k = 0; k <= Dim; ++k) {
+      const int i = (k + at.steps) % (Dim + 1);
+      at.sign[static_cast<std::size_t>(i)] =
+          1;  // p was strictly beyond the facet of entry, seen from the other side
+      if (i == entry) continue;
+      Corners<Dim> seen = corners;
+      seen[static_cast<std::size_t>(i)] = &p;
+      const int side = predicates.orient(seen);
+      if (side < 0) {
+        exit = Complex<Dim>::half_facet(at.simplex, i);
+        break;
+      }
+      at.sign[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(side);
+    }
+    if (exit.is_null() || !may_leave(exit)) return at;
+    const HalfFacet next = complex.mate(exit);
+    at.simplex = Complex<Dim>::simplex_of(next);
+    entry = Complex<Dim>::corner_of(next);
+    if (complex.is_ghost(at.simplex)) {
+      at.sign = {};
+      return at;
+    }
+  }
+}
+
 /// The same walk, but it stops at the first simplex in conflict with p, which is half the way for a prestar's
 /// sake. Requires that p is no vertex.
 template <int Dim>

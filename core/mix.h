@@ -30,6 +30,14 @@ constexpr std::uint64_t hash_point(const Point<Dim>& p) {
   return h;
 }
 
+/// Hash of a set of points, in any order.
+template <int Dim, std::size_t N>
+constexpr std::uint64_t hash_points(const std::array<const Point<Dim>*, N>& points) {
+  std::uint64_t sum = 0;
+  for (const Point<Dim>* p : points) sum += hash_point<Dim>(*p);
+  return sum;
+}
+
 /// Hash of a set of simplices over an indexed set of points, by coordinates.
 template <int Dim>
 class SimplexSetHash {

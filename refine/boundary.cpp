@@ -3,11 +3,10 @@
 
 #include <algorithm>
 
-#include "refine/edge_uses.h"
 #include "refine/patches.h"
+#include "refine/ridge_uses.h"
 
 namespace sinkmesh {
-
 namespace {
 
 // One segment for each facet.
@@ -28,10 +27,9 @@ std::vector<SubFacets<3>::Record> make_records(const Complex<3>& complex,
                                                std::span<const std::array<Vertex, 3>> facets,
                                                std::span<const std::int64_t> tags, double flat,
                                                BoundaryFeatures<3>& features) {
-  std::vector<BoundaryFeatures<3>::Patch> planes;
+  std::vector<BoundaryFeatures<3>::Patch> patches;
   const std::vector<PlacedFacet> placed = without_needles(complex, facets, tags, flat);
-  const std::vector<PatchFacet> of_facet = find_patches(complex, placed, tags, flat, planes);
-  for (const auto& patch : planes) features.add_patch(patch.facet, patch.plane);
+  const std::vector<PatchFacet> of_facet = find_patches(complex, placed, tags, flat, patches);
 
   std::vector<SubFacets<3>::Record> records(facets.size());
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
@@ -40,28 +38,26 @@ std::vector<SubFacets<3>::Record> make_records(const Complex<3>& complex,
     records[f].parent = placed[f].parent;
     records[f].segment.fill(SubFacets<3>::kNone);
   }
-  std::vector<std::vector<std::uint32_t>> segments(planes.size());
-  std::vector<std::vector<Vertex>> corners(planes.size());
   const auto corners_of = [&](std::size_t f) -> const std::array<Vertex, 3>& { return records[f].corners; };
-  for_each_edge(records.size(), corners_of, [&](auto first, auto last) {
+  for_each_ridge<3>(records.size(), corners_of, [&](auto first, auto last) {
     if (last - first == 2 && records[first[0].facet].owner == records[first[1].facet].owner) return;
-    const std::uint32_t segment = features.add_segment(first->edge[0], first->edge[1]);
+    const std::uint32_t segment = features.add_segment(first->ridge[0], first->ridge[1]);
     for (auto use = first; use != last; ++use) {
       records[use->facet].segment[use->k] = segment;
-      segments[records[use->facet].owner].push_back(segment);
+      patches[records[use->facet].owner].segments.push_back(segment);
     }
   });
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
-    for (const Vertex v : records[f].corners) corners[records[f].owner].push_back(v);
+    for (const Vertex v : records[f].corners) patches[records[f].owner].corners.push_back(v);
   }
-  for (std::uint32_t p = 0; p < planes.size(); ++p) {
-    const auto make_set = [](auto& list) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-    };
-    make_set(segments[p]);
-    make_set(corners[p]);
-    features.set_border(p, std::move(segments[p]), std::move(corners[p]));
+  const auto make_set = [](auto& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  };
+  for (auto& patch : patches) {
+    make_set(patch.segments);
+    make_set(patch.corners);
+    features.add_patch(std::move(patch));
   }
   return records;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "predicates/constructions.h"
 #include "refine/vector.h"
@@ -52,21 +53,14 @@ std::uint32_t BoundaryFeatures<Dim>::add_segment(Vertex a, Vertex b) {
 }
 
 template <int Dim>
-std::uint32_t BoundaryFeatures<Dim>::add_patch(std::uint32_t facet, const Plane& plane) {
-  patches_.push_back({facet, plane, {}, {}});
-  return static_cast<std::uint32_t>(patches_.size() - 1);
-}
-
-template <int Dim>
-void BoundaryFeatures<Dim>::set_border(std::uint32_t patch, std::vector<std::uint32_t> segments,
-                                       std::vector<Vertex> corners) {
-  for (const std::uint32_t s : segments) segment_patches_[s].push_back(patch);
-  for (const Vertex v : corners) {
+void BoundaryFeatures<Dim>::add_patch(Patch patch) {
+  const auto id = static_cast<std::uint32_t>(patches_.size());
+  for (const std::uint32_t s : patch.segments) segment_patches_[s].push_back(id);
+  for (const Vertex v : patch.corners) {
     if (v.index() >= corner_patches_.size()) corner_patches_.resize(complex_->num_vertices());
-    corner_patches_[v.index()].push_back(patch);
+    corner_patches_[v.index()].push_back(id);
   }
-  patches_[patch].segments = std::move(segments);
-  patches_[patch].corners = std::move(corners);
+  patches_.push_back(std::move(patch));
 }
 
 template <int Dim>
@@ -211,40 +205,46 @@ std::vector<Feature> BoundaryFeatures<Dim>::features_without(Vertex v, Vertex ot
   return result;
 }
 
+// Whether a segment sees a and b at less than 60 degrees from each other.
+template <int Dim>
+bool BoundaryFeatures<Dim>::is_acute(const Point<Dim>& a, const Point<Dim>& b, std::uint32_t segment) const {
+  const Point<Dim>& u = complex_->point(segments_[segment].ends[0]);
+  const Point<Dim> along = complex_->point(segments_[segment].ends[1]) - u;
+  // Scalar products of the parts orthogonal to the segment.
+  const auto across = [&](const Point<Dim>& p, const Point<Dim>& q) {
+    return dot(p - u, q - u) - dot(p - u, along) * dot(q - u, along) / dot(along, along);
+  };
+  const double product = across(a, b);
+  return product > 0 && 4 * product * product > across(a, a) * across(b, b);
+}
+
+// Where two features meet at an angle is the nearest place that they have in common; where that is a segment,
+// and the angle acute, also the nearest corner, into which spirals run.
 template <int Dim>
 std::optional<Rung> BoundaryFeatures<Dim>::rung(Vertex p, Vertex q, double lambda) const {
   const Point<Dim>& a = complex_->point(p);
   const Point<Dim>& b = complex_->point(q);
   const double length2 = squared_distance(a, b);
-  std::optional<Rung> result;
+  const auto is_short = [&](const std::optional<Rung>& rung) {
+    return rung && length2 < lambda * lambda * rung->reach2;
+  };
   const std::vector<Feature> of_q = features_without(q, p);
+  std::optional<Rung> result;
   for (const Feature& f : features_without(p, q)) {
     for (const Feature& g : of_q) {
       if (f == g) continue;
       std::optional<Rung> corner;
-      std::optional<Rung> nearest;  // where they meet at an angle is the nearest place that they have in common
+      std::optional<Rung> nearest;
       for_each_common(f, g, [&](const Feature& common) {
-        const double reach2 = std::min(distance2(a, common), distance2(b, common));
-        if (!nearest || reach2 < nearest->reach2) nearest = Rung{f, g, common, reach2};
-        if (common.kind == Kind::corner && (!corner || reach2 < corner->reach2)) {
-          corner = Rung{f, g, common, reach2};
-        }
+        const Rung rung{f, g, common, std::min(distance2(a, common), distance2(b, common))};
+        if (!nearest || rung.reach2 < nearest->reach2) nearest = rung;
+        if (common.kind == Kind::corner && (!corner || rung.reach2 < corner->reach2)) corner = rung;
       });
-      // At an acute angle spirals run into the corners at the ends of a common segment.
-      if (nearest && corner && nearest->common.kind == Kind::segment &&
-          length2 >= lambda * lambda * nearest->reach2) {
-        const Point<Dim>& u = complex_->point(segments_[nearest->common.id].ends[0]);
-        const Point<Dim> along = complex_->point(segments_[nearest->common.id].ends[1]) - u;
-        const double scale = dot(along, along);
-        const double ta = dot(a - u, along);
-        const double tb = dot(b - u, along);
-        const double across = dot(a - u, b - u) - ta * tb / scale;
-        const double a2 = dot(a - u, a - u) - ta * ta / scale;
-        const double b2 = dot(b - u, b - u) - tb * tb / scale;
-        if (across > 0 && 4 * across * across > a2 * b2) nearest = corner;
+      if (!is_short(nearest) && is_short(corner) && nearest->common.kind == Kind::segment &&
+          is_acute(a, b, nearest->common.id)) {
+        nearest = corner;
       }
-      if (!nearest || length2 >= lambda * lambda * nearest->reach2) continue;
-      if (!result || nearest->reach2 < result->reach2) result = nearest;
+      if (is_short(nearest) && (!result || nearest->reach2 < result->reach2)) result = nearest;
     }
   }
   return result;

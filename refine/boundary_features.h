@@ -67,18 +67,17 @@ class BoundaryFeatures {
   struct Patch {
     std::uint32_t facet = 0;  ///< of the surface, its largest
     Plane plane;
-    std::vector<std::uint32_t> segments;  ///< around it, increasing
-    std::vector<Vertex> corners;          ///< on it, increasing
+    std::vector<std::uint32_t> segments = {};  ///< around it, increasing
+    std::vector<Vertex> corners = {};          ///< on it, increasing
+    bool is_joined = false;                    ///< of several facets
   };
 
   explicit BoundaryFeatures(const Complex<Dim>& complex) : complex_(&complex) {}
 
   std::uint32_t add_segment(Vertex a, Vertex b);
-  /// Its segments and corners are added with touch().
-  std::uint32_t add_patch(std::uint32_t facet, const Plane& plane);
+  /// After its segments.
+  void add_patch(Patch patch);
   void set_corner(Vertex v);
-  /// The lists of a patch; each increasing, without copies.
-  void set_border(std::uint32_t patch, std::vector<std::uint32_t> segments, std::vector<Vertex> corners);
   void set_vertex(Vertex v, const BoundaryVertex& info);
 
   /// Sets all relaxed radii to 0.
@@ -112,11 +111,13 @@ class BoundaryFeatures {
   double distance2(const Point<Dim>& p, const Feature& feature) const;
 
   /// Whether the edge pq is a rung: p and q lie on two closed features, none of which holds both, that share a
-  /// corner or a segment, and |pq| < lambda min(d(p,X), d(q,X)) for the nearest such X.
+  /// corner or a segment, and |pq| < lambda min(d(p,X), d(q,X)) for the nearest such X. If X is a segment, and
+  /// the angle there is below 60 degrees, the nearest common corner may take its place.
   std::optional<Rung> rung(Vertex p, Vertex q, double lambda) const;
 
  private:
   std::vector<Feature> features_without(Vertex v, Vertex other) const;
+  bool is_acute(const Point<Dim>& a, const Point<Dim>& b, std::uint32_t segment) const;
   template <class Visit>
   void for_each_common(const Feature& f, const Feature& g, Visit&& visit) const;
 

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "predicates/error.h"
 #include "refine/domain.h"
+#include "refine/ridge_uses.h"
+#include "refine/union_find.h"
 
 namespace sinkmesh {
 
@@ -45,43 +46,22 @@ Cells<Dim>::Cells(const Complex<Dim>& complex, const Domain<Dim>& walls) {
 template <int Dim>
 SurfaceComponents<Dim>::SurfaceComponents(std::span<const std::array<Vertex, Dim>> facets)
     : component_(facets.size()) {
-  struct Use {
-    std::array<Vertex, Dim - 1> ridge;
-    std::uint32_t facet;
-    auto operator<=>(const Use&) const = default;
-  };
-  std::vector<Use> uses;
+  const auto corners_of = [&](std::size_t f) -> const std::array<Vertex, Dim>& { return facets[f]; };
+  UnionFind connected(facets.size());
+  std::vector<bool> is_odd_at(facets.size(), false);  // at some ridge of the facet
+  for_each_ridge<Dim>(facets.size(), corners_of, [&](auto first, auto last) {
+    for (auto use = first; use != last; ++use) connected.unite(first->facet, use->facet);
+    if ((last - first) % 2 != 0) is_odd_at[first->facet] = true;
+  });
+  // A class is met first at its smallest member.
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
-    for (std::size_t k = 0; k < Dim; ++k) {
-      Use use{{}, f};
-      for (std::size_t j = 0; j + 1 < Dim; ++j) use.ridge[j] = facets[f][(k + j) % Dim];
-      std::sort(use.ridge.begin(), use.ridge.end());
-      uses.push_back(use);
+    const std::size_t root = connected.find(f);
+    if (root == f) {
+      component_[f] = static_cast<std::uint32_t>(is_even_.size());
+      is_even_.push_back(true);
     }
-  }
-  std::sort(uses.begin(), uses.end());
-
-  std::vector<std::uint32_t> parent(facets.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
-    return f;
-  };
-  for (std::size_t i = 1; i < uses.size(); ++i) {
-    if (uses[i].ridge == uses[i - 1].ridge) parent[root(uses[i].facet)] = root(uses[i - 1].facet);
-  }
-  std::vector<std::uint32_t> number(parent.size(), 0);
-  for (std::uint32_t f = 0; f < parent.size(); ++f) {
-    if (root(f) != f) continue;
-    number[f] = static_cast<std::uint32_t>(is_even_.size());
-    is_even_.push_back(true);
-  }
-  for (std::uint32_t f = 0; f < parent.size(); ++f) component_[f] = number[root(f)];
-  for (std::size_t first = 0; first < uses.size();) {
-    std::size_t last = first;
-    while (last < uses.size() && uses[last].ridge == uses[first].ridge) ++last;
-    if ((last - first) % 2 != 0) is_even_[component_[uses[first].facet]] = false;
-    first = last;
+    component_[f] = component_[root];
+    if (is_odd_at[f]) is_even_[component_[f]] = false;
   }
 }
 

@@ -50,30 +50,25 @@ void Conformer<Dim>::start() {
   boundary_->sub_facets().for_each([this](SubFacet f) { enqueue(f); });
 }
 
-// The end that comes first by coordinates.
-template <int Dim>
-const Point<Dim>& Conformer<Dim>::lower_end(const SubSegment& s) const {
-  return std::min(complex().point(s.u), complex().point(s.v));
-}
-
 template <int Dim>
 auto Conformer<Dim>::entry_of(const SubSegment& s) const -> SegmentEntry {
   const Point<Dim>& u = complex().point(s.u);
   const Point<Dim>& v = complex().point(s.v);
-  return {squared_distance(u, v), hash_point<Dim>(u) + hash_point<Dim>(v), s};
+  return {squared_distance(u, v), hash_points<Dim>(std::array{&u, &v}), s};
 }
 
 template <int Dim>
 void Conformer<Dim>::enqueue(SubFacet f) {
   if (boundary_->is_missing(f)) {
-    for (const SubSegment& s : boundary_->sub_segments(f)) segment_queue_.push(entry_of(s));
+    if constexpr (Dim == 3) {  // in the plane they are the sub-facets
+      for (const SubSegment& s : boundary_->sub_segments(f)) segment_queue_.push(entry_of(s));
+    }
   } else if (boundary_->encroaching_apexes(f).empty()) {
     return;
   }
   const FacetCorners<Dim> corners = boundary_->corner_points(f);
-  std::uint64_t tie = 0;
-  for (const Point<Dim>* p : corners) tie += hash_point<Dim>(*p);
-  facet_queue_.push({facet_shape<Dim>(corners).radius2, tie, f, boundary_->sub_facets()[f].birth});
+  facet_queue_.push(
+      {facet_shape<Dim>(corners).radius2, hash_points<Dim>(corners), f, boundary_->sub_facets()[f].birth});
 }
 
 template <int Dim>
@@ -86,8 +81,8 @@ void Conformer<Dim>::enqueue_created() {
 
 template <int Dim>
 bool Conformer<Dim>::conform(const std::function<bool()>& may_continue) {
-  for (;;) {
-    if (Dim == 3 && !segment_queue_.empty()) {
+  while (given_up_.empty()) {
+    if (!segment_queue_.empty()) {
       const SegmentEntry entry = segment_queue_.top();
       const SubSegment s = entry.segment;
       segment_queue_.pop();
@@ -111,16 +106,7 @@ bool Conformer<Dim>::conform(const std::function<bool()>& may_continue) {
       return true;
     }
   }
-}
-
-template <int Dim>
-std::vector<SubFacet> Conformer<Dim>::unconformed() const {
-  std::vector<SubFacet> result;
-  for (const auto& [f, birth] : stuck_) {
-    if (!boundary_->sub_facets().is_current(f, birth)) continue;
-    if (boundary_->is_missing(f) || !boundary_->encroaching_apexes(f).empty()) result.push_back(f);
-  }
-  return result;
+  return false;
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -132,10 +118,8 @@ void Conformer<Dim>::mend(const SubSegment& s) {
   const double t = (features.position(s.u, s.segment) + features.position(s.v, s.segment)) / 2;
   const Vertex nearest = boundary_->star_walk().nearest(complex(), features.point_at(s.segment, t), s.u);
   if (split_segment(s, nearest == s.u || nearest == s.v ? Vertex() : nearest, 0)) return;
-  if constexpr (Dim == 3) {
-    for (const auto& side : boundary_->sub_facets().around(s.u, s.v)) {
-      stuck_.emplace_back(side.facet, boundary_->sub_facets()[side.facet].birth);
-    }
+  for (const auto& side : boundary_->sub_facets().around(s.u, s.v)) {
+    given_up_.push_back(side.facet);
   }
 }
 
@@ -156,10 +140,10 @@ void Conformer<Dim>::mend(SubFacet f) {
     }
   }
   const Vertex q = culprit(f);
-  if ((!q.is_null() && insert_alike(f, q)) || split_at_center(f, q, {0, 0})) {
+  if ((!q.is_null() && insert_alike(f, q)) || split_at_center(f, q, 0)) {
     if (boundary_->sub_facets().is_current(f, birth)) enqueue(f);
   } else {
-    stuck_.emplace_back(f, birth);
+    given_up_.push_back(f);
   }
 }
 
@@ -176,10 +160,10 @@ Vertex Conformer<Dim>::culprit(SubFacet f) {
   }
   Vertex best;
   for (const Vertex v : boundary_->encroaching_apexes(f)) {
-    if (best.is_null() ||
-        squared_distance(complex().point(v), center) < squared_distance(complex().point(best), center)) {
-      best = v;
-    }
+    const auto key = [&](Vertex w) {
+      return std::pair(squared_distance(complex().point(w), center), complex().point(w));
+    };
+    if (best.is_null() || key(v) < key(best)) best = v;
   }
   return best;
 }
@@ -321,27 +305,22 @@ bool Conformer<Dim>::insert_alike(SubFacet f, Vertex q) {
   }
 }
 
-template <int Dim>
-bool Conformer<Dim>::split(SubFacet f, double facet_distance2, double segment_distance2) {
-  return split_at_center(f, {}, {facet_distance2, segment_distance2});
-}
-
 // At the circumcenter of the sub-facet, unless a sub-segment lies between or would be too near.
 template <int Dim>
-bool Conformer<Dim>::split_at_center(SubFacet f, Vertex q, const Distances& distances) {
+bool Conformer<Dim>::split_at_center(SubFacet f, Vertex q, double distance2) {
   if constexpr (Dim == 2) {
-    return split_segment(boundary_->sub_segments(f).front(), q, distances.segment2);
+    return split_segment(boundary_->sub_segments(f).front(), q, distance2);
   } else {
     const Point3 center = facet_center<Dim>(boundary_->corner_points(f));
     if (!is_reachable<3>(center)) return false;
     const Plane& plane = boundary_->features().patches()[boundary_->sub_facets()[f].owner].plane;
     const auto at = PatchTriangulation(*boundary_).walk(f, plane.project(center));
     if (!at) return false;
-    if (at->barrier) return split_segment(*at->barrier, q, distances.segment2);
+    if (at->barrier) return split_segment(*at->barrier, q, distance2);
     const Point3 x = plane.lift(plane.project(center));
     triangulation_->announce(x);
-    if (const auto segment = encroached_segment(*at, x)) return split_segment(*segment, q, distances.segment2);
-    return insert_on_patch(*at, x, q, distances.facet2);
+    if (const auto segment = encroached_segment(*at, x)) return split_segment(*segment, q, distance2);
+    return insert_on_patch(*at, x, q, distance2);
   }
 }
 
@@ -350,20 +329,14 @@ bool Conformer<Dim>::split_at_center(SubFacet f, Vertex q, const Distances& dist
 template <int Dim>
 std::optional<SubSegment> Conformer<Dim>::encroached_segment(const PatchTriangulation::Location& at,
                                                              const Point<Dim>& x) {
-  std::optional<SubSegment> longest;
+  std::optional<SegmentEntry> longest;
   if constexpr (Dim == 3) {
-    double longest2 = 0;
     std::vector<SubFacet> found = {at.facet};
     for (std::size_t head = 0; head < found.size(); ++head) {
       const SubFacet f = found[head];
       for (const SubSegment& s : boundary_->sub_segments(f)) {
-        const Point3& u = complex().point(s.u);
-        const Point3& v = complex().point(s.v);
-        const double length2 = squared_distance(u, v);
-        if (dot(u - x, v - x) >= 0 || length2 < longest2) continue;
-        if (longest && length2 == longest2 && lower_end(*longest) < lower_end(s)) continue;
-        longest = s;
-        longest2 = length2;
+        if (dot(complex().point(s.u) - x, complex().point(s.v) - x) >= 0) continue;
+        if (!longest || *longest < entry_of(s)) longest = entry_of(s);
       }
       for (std::size_t k = 0; k < 3; ++k) {
         if (boundary_->sub_facets()[f].segment[k] != SubFacets<3>::kNone) continue;
@@ -375,7 +348,7 @@ std::optional<SubSegment> Conformer<Dim>::encroached_segment(const PatchTriangul
       }
     }
   }
-  return longest;
+  return longest ? std::optional(longest->segment) : std::nullopt;
 }
 
 template <int Dim>
@@ -580,7 +553,7 @@ bool Conformer<Dim>::expel(Simplex s) {
         return true;
       }
     }
-    return split(f, 0, 0);
+    return split(f, 0);
   }
 }
 

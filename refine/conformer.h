@@ -41,20 +41,19 @@ class Conformer {
 
   /// Flips the input, and queues what is not conforming.
   void start();
-  /// Works until the queues are empty.
+  /// Works until the queues are empty, or a sub-facet has to be given up, because a point would come nearer to
+  /// a vertex than the floor: where that happens, points breed points, and going on would only make more of
+  /// them.
   /// @param may_continue  asked before each point.
-  /// @return false if it said no.
+  /// @return false if it said no, or a sub-facet was given up.
   bool conform(const std::function<bool()>& may_continue);
-  /// Whether a sub-facet has been given up so far; a later point may still help it.
-  bool has_given_up() const { return !stuck_.empty(); }
-  /// Sub-facets that are not conforming, and could not be made so. Call it after conform().
-  std::vector<SubFacet> unconformed() const;
+  /// The sub-facets that have been given up.
+  const std::vector<SubFacet>& unconformed() const { return given_up_; }
 
   /// Puts a point near the center of a sub-facet, on it or on a sub-segment that is in the way.
-  /// @param facet_distance2    least squared distance from all vertices of a point within a facet
-  /// @param segment_distance2  of a point on a segment
+  /// @param distance2  the least squared distance of the point from all vertices
   /// @return whether a point was inserted; then call conform() and label_new().
-  bool split(SubFacet f, double facet_distance2, double segment_distance2);
+  bool split(SubFacet f, double distance2) { return split_at_center(f, {}, distance2); }
 
   /// Remembers the regions on both sides of all patches and segments; after Domain::label().
   void remember_regions();
@@ -93,13 +92,8 @@ class Conformer {
       return length2 != other.length2 ? length2 < other.length2 : tie < other.tie;
     }
   };
-  struct Distances {
-    double facet2;
-    double segment2;
-  };
 
   const Complex<Dim>& complex() const { return triangulation_->complex(); }
-  const Point<Dim>& lower_end(const SubSegment& s) const;
   SegmentEntry entry_of(const SubSegment& s) const;
   void enqueue(SubFacet f);
   void enqueue_created();
@@ -108,7 +102,7 @@ class Conformer {
   Vertex culprit(SubFacet f);
   bool split_segment(const SubSegment& sub_segment, Vertex culprit, double distance2);
   double split_position(const SubSegment& sub_segment, Vertex culprit) const;
-  bool split_at_center(SubFacet f, Vertex culprit, const Distances& distances);
+  bool split_at_center(SubFacet f, Vertex culprit, double distance2);
   bool insert_alike(SubFacet f, Vertex culprit);
   bool insert_on_patch(const PatchTriangulation::Location& at, const Point<Dim>& x, Vertex culprit,
                        double distance2);
@@ -131,7 +125,7 @@ class Conformer {
   double nearest2_ = 0;  // squared distance of the last point from its nearest vertex
   std::priority_queue<SegmentEntry> segment_queue_;
   std::priority_queue<Entry> facet_queue_;
-  std::vector<std::pair<SubFacet, std::uint32_t>> stuck_;
+  std::vector<SubFacet> given_up_;
   std::vector<SubFacet> created_;
   std::vector<Simplex> fresh_;
   std::vector<std::array<typename Domain<Dim>::Region, 2>> regions_;  // by owner of sub-facets

@@ -8,53 +8,9 @@
 
 #include "core/mix.h"
 #include "refine/cells.h"
+#include "refine/facet_index.h"
 
 namespace sinkmesh {
-namespace {
-
-template <int Dim>
-std::array<Vertex, Dim> sorted(std::array<Vertex, Dim> facet) {
-  std::sort(facet.begin(), facet.end());
-  return facet;
-}
-
-// Facets by their smallest vertex: few have the same one, so that looking one up is a short scan.
-template <int Dim>
-class FacetIndex {
- public:
-  FacetIndex(std::span<const std::array<Vertex, Dim>> facets, std::size_t num_vertices)
-      : first_(num_vertices + 1, 0), entries_(facets.size()) {
-    for (const auto& facet : facets) ++first_[sorted<Dim>(facet)[0].index() + 1];
-    for (std::size_t v = 0; v < num_vertices; ++v) first_[v + 1] += first_[v];
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < facets.size(); ++i) {
-      const auto facet = sorted<Dim>(facets[i]);
-      entries_[next[facet[0].index()]++] = {facet, i};
-    }
-  }
-
-  /// Calls found(index) for every facet of the list with these corners.
-  template <class Found>
-  void look_up(const std::array<Vertex, Dim>& corners, Found&& found) const {
-    const Vertex smallest = *std::min_element(corners.begin(), corners.end());
-    const std::uint32_t v = smallest.index();
-    if (first_[v] == first_[v + 1]) return;
-    const auto facet = sorted<Dim>(corners);
-    for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
-      if (entries_[k].facet == facet) found(entries_[k].index);
-    }
-  }
-
- private:
-  struct Entry {
-    std::array<Vertex, Dim> facet;
-    std::size_t index;
-  };
-  std::vector<std::uint32_t> first_;
-  std::vector<Entry> entries_;
-};
-
-}  // namespace
 
 // One half-facet for each facet, or null.
 template <int Dim>
@@ -115,7 +71,9 @@ void Domain<Dim>::label(std::span<const Facet> facets, std::span<const Wall> wal
 
   std::vector<bool> inside(cells.size(), false);
   std::vector<std::pair<std::uint32_t, std::int64_t>> tagged;
-  if (seeds.empty()) {
+  if (seeds.empty() && cells.size() == 2) {
+    inside[1] = true;  // one bounded cell: whatever the surface is, that cell is what it keeps from its outside
+  } else if (seeds.empty()) {
     const SurfaceComponents<Dim> components(facets);
     CellGraph graph(cells.size());
     for (const Wall& wall : walls) {
@@ -154,22 +112,22 @@ void Domain<Dim>::number_regions(const std::vector<std::uint32_t>& cell, std::ve
     std::uint64_t hash = 0;
     auto operator<=>(const Key&) const = default;
   };
-  std::vector<Key> key(inside.size());
-  for (Key& k : key) k.least.fill(HUGE_VAL);
-  for (const Simplex s : complex.simplices()) {
-    if (!inside[cell[s.index()]]) continue;
-    Key of_simplex{*complex.corners(s)[0], 0};
-    for (const Point<Dim>* p : complex.corners(s)) {
-      of_simplex.least = std::min(of_simplex.least, *p);
-      of_simplex.hash += hash_point<Dim>(*p);
-    }
-    key[cell[s.index()]] = std::min(key[cell[s.index()]], of_simplex);
-  }
   std::vector<std::uint32_t> order;
   for (std::uint32_t c = 0; c < inside.size(); ++c) {
     if (inside[c]) order.push_back(c);
   }
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+  if (order.size() > 1) {
+    std::vector<Key> key(inside.size());
+    for (Key& k : key) k.least.fill(HUGE_VAL);
+    for (const Simplex s : complex.simplices()) {
+      if (!inside[cell[s.index()]]) continue;
+      const Corners<Dim> corners = complex.corners(s);
+      Key of_simplex{*corners[0], hash_points<Dim>(corners)};
+      for (const Point<Dim>* p : corners) of_simplex.least = std::min(of_simplex.least, *p);
+      key[cell[s.index()]] = std::min(key[cell[s.index()]], of_simplex);
+    }
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+  }
   std::vector<Region> number(inside.size(), kOutside);
   for (std::uint32_t i = 0; i < order.size(); ++i) number[order[i]] = i + 1;
   tags_.assign(order.size(), 0);

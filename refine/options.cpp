@@ -75,6 +75,8 @@ const char* name(Stop stop) {
   switch (stop) {
     case Stop::no_candidate:
       return "no_candidate";
+    case Stop::floor:
+      return "floor";
     case Stop::budget:
       return "budget";
     case Stop::cancelled:

@@ -93,7 +93,7 @@ struct RefineOptions {
   BoundaryOptions boundary = {};
   /// Not used so far: every refinement runs on the thread of the caller. The mesh will not depend on it.
   unsigned threads = 1;
-  /// Budgets; when one is spent the run ends with a valid mesh.
+  /// Budgets; when one is spent the run ends with a valid mesh, or, before the surface is conformed, with none.
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   std::size_t max_bytes = std::numeric_limits<std::size_t>::max();
   /// Polled about every hundred candidates. May be empty.
@@ -109,6 +109,7 @@ void require_valid(const RefineOptions& options);
 /// Why a refinement ended.
 enum class Stop : std::uint8_t {
   no_candidate,  ///< nothing is left to insert
+  floor,         ///< points on the boundary would have come too near to each other; that work was taken back
   budget,
   cancelled,
 };
@@ -222,7 +223,8 @@ struct RefineResult {
   /// Of `inserted`, those on the boundary.
   std::size_t points_on_segments = 0;
   std::size_t points_on_patches = 0;
-  /// The separation that was kept: no two vertices of the result are closer, in the units of the input.
+  /// The separation that was kept, in the units of the input: no two vertices of the result are closer, unless
+  /// two of the input are.
   double separation = 0;
 };
 

@@ -5,7 +5,6 @@
 #include <unordered_set>
 
 #include "predicates/predicates.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 
@@ -105,22 +104,12 @@ void PatchTriangulation::exchange(const Diagonal& diagonal, std::vector<SubFacet
     const auto at = std::find(record.corners.begin(), record.corners.end(), opposite);
     return record.segment[static_cast<std::size_t>(at - record.corners.begin())];
   };
-  // The parent of a new one: that of the old one which holds its center.
-  const auto parent_of = [&](Vertex end) {
-    const Point2 p = projected(first, a);
-    const Point2 ab = projected(first, b) - p;
-    const double sum = cross(ab, projected(first, end) - p) + cross(ab, projected(first, c) - p) +
-                       cross(ab, projected(first, d) - p);
-    return sum >= 0 ? one.parent : two.parent;
-  };
   auto with_a = one;
   with_a.corners = {a, d, c};
   with_a.segment = {SubFacets<3>::kNone, segment_of(one, b), segment_of(two, b)};
-  with_a.parent = parent_of(a);
   auto with_b = one;
   with_b.corners = {d, b, c};
   with_b.segment = {segment_of(one, a), SubFacets<3>::kNone, segment_of(two, a)};
-  with_b.parent = parent_of(b);
   boundary_->remove(first);
   boundary_->remove(second);
   created.push_back(boundary_->add(with_a));

@@ -7,7 +7,8 @@
 
 #include "predicates/constructions.h"
 #include "predicates/predicates.h"
-#include "refine/edge_uses.h"
+#include "refine/quality.h"
+#include "refine/ridge_uses.h"
 #include "refine/vector.h"
 
 namespace sinkmesh {
@@ -19,7 +20,7 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 std::vector<std::array<std::uint32_t, 3>> neighbours(std::span<const PlacedFacet> facets) {
   std::vector<std::array<std::uint32_t, 3>> across(facets.size(), {kNone, kNone, kNone});
   const auto corners_of = [&](std::size_t f) -> const std::array<Vertex, 3>& { return facets[f].vertices; };
-  for_each_edge(facets.size(), corners_of, [&](auto first, auto last) {
+  for_each_ridge<3>(facets.size(), corners_of, [&](auto first, auto last) {
     if (last - first != 2) return;
     across[first[0].facet][first[0].k] = first[1].facet;
     across[first[1].facet][first[1].k] = first[0].facet;
@@ -37,8 +38,7 @@ std::vector<std::uint32_t> by_size(const Complex<3>& complex, std::span<const Pl
   for (std::size_t f = 0; f < facets.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) key[f].corners[k] = complex.point(facets[f].vertices[k]);
     std::sort(key[f].corners.begin(), key[f].corners.end());
-    const Point3 n = cross(key[f].corners[1] - key[f].corners[0], key[f].corners[2] - key[f].corners[0]);
-    key[f].area2 = dot(n, n);
+    key[f].area2 = facet_area2<3>({&key[f].corners[0], &key[f].corners[1], &key[f].corners[2]});
   }
   std::vector<std::uint32_t> order(facets.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -100,10 +100,10 @@ std::vector<PlacedFacet> without_needles(const Complex<3>& complex,
 std::optional<Fold> sharpest_fold(const Complex<3>& complex, std::span<const std::array<Vertex, 3>> facets) {
   std::optional<Fold> sharpest;
   const auto corners_of = [&](std::size_t f) -> const std::array<Vertex, 3>& { return facets[f]; };
-  for_each_edge(facets.size(), corners_of, [&](auto first, auto last) {
-    const Point3& a = complex.point(first->edge[0]);
-    const Point3 along = complex.point(first->edge[1]) - a;
-    const auto out = [&](const EdgeUse& use) {
+  for_each_ridge<3>(facets.size(), corners_of, [&](auto first, auto last) {
+    const Point3& a = complex.point(first->ridge[0]);
+    const Point3 along = complex.point(first->ridge[1]) - a;
+    const auto out = [&](const RidgeUse<3>& use) {
       Point3 way = complex.point(facets[use.facet][use.k]) - a;
       const double t = dot(way, along) / dot(along, along);
       for (std::size_t i = 0; i < 3; ++i) way[i] -= t * along[i];
@@ -136,7 +136,7 @@ std::vector<PatchFacet> find_patches(const Complex<3>& complex, std::span<const 
                                                &complex.point(facets[seed].vertices[2])};
     const Plane plane = Plane::through(*base[0], *base[1], *base[2]);
     const auto patch = static_cast<std::uint32_t>(planes.size());
-    planes.push_back({facets[seed].parent, plane, {}, {}});
+    planes.push_back({facets[seed].parent, plane});
 
     const auto is_near = [&](Vertex v) {
       const Point3& p = complex.point(v);
@@ -167,6 +167,7 @@ std::vector<PatchFacet> find_patches(const Complex<3>& complex, std::span<const 
             runs_ab ? std::array<Vertex, 3>{b, a, apex} : std::array<Vertex, 3>{a, b, apex};
         if (!is_near(apex) || !is_counterclockwise(turned)) continue;
         result[g] = {turned, patch};
+        planes.back().is_joined = true;
         stack.push_back(g);
       }
     }

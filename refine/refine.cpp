@@ -12,6 +12,8 @@
 #include "refine/boundary.h"
 #include "refine/budget.h"
 #include "refine/conformer.h"
+#include "refine/facet_index.h"
+#include "refine/parents.h"
 #include "refine/patches.h"
 #include "refine/refiner.h"
 #include "refine/self_intersections.h"
@@ -91,8 +93,8 @@ struct SurfaceMesher<Dim>::State {
   BoundaryResult find_fixed();
   void require_no_crossing() const;
   void require_room_between_facets() const;
-  void start_conforming(const BoundaryOptions& options);
-  BoundaryResult conform(const RefineOptions& options);
+  void start_conforming(std::span<const HalfFacet> found, const BoundaryOptions& options);
+  BoundaryResult conform(std::vector<HalfFacet> found, const RefineOptions& options);
   void restore(const typename Boundary<Dim>::Snapshot& snapshot);
   std::size_t count_vertices(Feature::Kind kind, std::size_t first) const;
   bool is_stable();
@@ -167,35 +169,35 @@ void SurfaceMesher<Dim>::State::require_room_between_facets() const {
 }
 
 template <int Dim>
-void SurfaceMesher<Dim>::State::start_conforming(const BoundaryOptions& options) {
+void SurfaceMesher<Dim>::State::start_conforming(std::span<const HalfFacet> found,
+                                                 const BoundaryOptions& options) {
   constexpr double kFloor = 0x1p-30;  // of the diagonal
   const double default_angle = Dim == 2 ? BoundaryOptions::kSmallAngle2 : BoundaryOptions::kSmallAngle3;
   const Box<Dim>& box = triangulation.gate().box();
   const double diagonal = std::sqrt(squared_distance(box.low, box.high));
   domain = Domain<Dim>(triangulation);
   flow = Flow<Dim>(triangulation);
-  boundary.emplace(triangulation, domain, used.facets, domain.find(used.facets), facet_tags,
-                   options.flat * diagonal);
+  boundary.emplace(triangulation, domain, used.facets, found, facet_tags, options.flat * diagonal);
   rules = {&boundary->features(),
            2 * std::sin(options.small_angle.value_or(default_angle) * (std::numbers::pi / 360)),
-           kFloor * diagonal, true};
+           kFloor * diagonal};
   conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor, projects);
   conformer->start();
 }
 
 template <int Dim>
-BoundaryResult SurfaceMesher<Dim>::State::conform(const RefineOptions& options) {
+BoundaryResult SurfaceMesher<Dim>::State::conform(std::vector<HalfFacet> found, const RefineOptions& options) {
   Budget budget(options);
   for (;;) {
-    start_conforming(options.boundary);
+    start_conforming(found, options.boundary);
     conformer->conform([&] {
       const Complex<Dim>& complex = triangulation.complex();
-      return budget.may_continue(complex.num_vertices(), complex.bytes()) &&
-             !(projects && conformer->has_given_up());
+      return budget.may_continue(complex.num_vertices(), complex.bytes());
     });
-    if (!conformer->has_given_up() || budget.stop() != Stop::no_candidate || !projects) break;
+    if (conformer->unconformed().empty() || !projects) break;
     projects = false;
     triangulation = Triangulation<Dim>(used.points);
+    found = domain.find(used.facets);
   }
   BoundaryResult result;
   result.mode = BoundaryMode::refine;
@@ -205,9 +207,8 @@ BoundaryResult SurfaceMesher<Dim>::State::conform(const RefineOptions& options) 
   result.stop = budget.stop();
   result.points_on_segments = conformer->points_on_segments();
   result.points_on_patches = conformer->points_on_patches();
-  for (const SubFacet f : conformer->unconformed()) {
-    result.unconformed.push_back(boundary->sub_facets()[f].parent);
-  }
+  const Parents<Dim> parents(*boundary, used.facets);
+  for (const SubFacet f : conformer->unconformed()) result.unconformed.push_back(parents.of(f));
   std::sort(result.unconformed.begin(), result.unconformed.end());
   result.unconformed.erase(std::unique(result.unconformed.begin(), result.unconformed.end()),
                            result.unconformed.end());
@@ -241,7 +242,7 @@ BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
   }
   if (missing != 0) state.require_no_crossing();
   state.require_room_between_facets();
-  return state.conform(options);
+  return state.conform(found, options);
 }
 
 template <int Dim>
@@ -256,27 +257,14 @@ RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
   const std::size_t before = state.triangulation.complex().num_vertices();
   Refiner<Dim> refiner(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer,
                        state.rules, options);
-  const RefineResult result = refiner.run();
-  if (refiner.last_valid() == nullptr) {
-    state.leftovers = refiner.leftovers();
-    return result;
-  }
+  RefineResult result = refiner.run();
+  state.leftovers = refiner.leftovers();
+  if (refiner.last_valid() == nullptr) return result;
   state.restore(*refiner.last_valid());
-  // Only what is left is to be told; where all had been tried, a second look finds nothing to insert.
-  RefineOptions no_more = options;
-  no_more.observer = {};
-  if (result.stop != Stop::no_candidate) no_more.max_vertices = 0;
-  BoundaryRules<Dim> rules = state.rules;
-  rules.may_excuse_fewer = false;
-  Refiner<Dim> teller(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer, rules,
-                      no_more);
-  RefineResult told = result;
-  told.remaining = teller.run().remaining;
-  told.inserted = state.triangulation.complex().num_vertices() - before;
-  told.points_on_segments = state.count_vertices(Feature::Kind::segment, before);
-  told.points_on_patches = state.count_vertices(Feature::Kind::patch, before);
-  state.leftovers = teller.leftovers();
-  return told;
+  result.inserted = state.triangulation.complex().num_vertices() - before;
+  result.points_on_segments = state.count_vertices(Feature::Kind::segment, before);
+  result.points_on_patches = state.count_vertices(Feature::Kind::patch, before);
+  return result;
 }
 
 // Of those from `first` on, the ones that lie on a feature of this kind.
@@ -308,23 +296,15 @@ template <int Dim>
 std::vector<std::int64_t> SurfaceMesher<Dim>::State::parents_of(std::span<const HalfFacet> walls) const {
   std::vector<std::int64_t> parents;
   if (boundary) {
-    for (const HalfFacet h : walls) parents.push_back(boundary->sub_facets()[boundary->at(h)].parent);
+    const Parents<Dim> known(*boundary, used.facets);
+    for (const HalfFacet h : walls) parents.push_back(known.of(boundary->at(h)));
     return parents;
   }
-  using Facet = typename Domain<Dim>::Facet;
-  const auto sorted = [](Facet facet) {
-    std::sort(facet.begin(), facet.end());
-    return facet;
-  };
-  std::vector<std::pair<Facet, std::int64_t>> known;
-  for (std::size_t f = 0; f < used.facets.size(); ++f) {
-    known.emplace_back(sorted(used.facets[f]), static_cast<std::int64_t>(f));
-  }
-  std::sort(known.begin(), known.end());
+  const FacetIndex<Dim> known(used.facets, triangulation.complex().num_vertices());
   for (const HalfFacet h : walls) {
-    const std::pair<Facet, std::int64_t> first(sorted(triangulation.complex().facet(h)), 0);
-    const auto found = std::lower_bound(known.begin(), known.end(), first);
-    parents.push_back(found != known.end() && found->first == first.first ? found->second : -1);
+    parents.push_back(-1);
+    known.look_up(triangulation.complex().facet(h),
+                  [&](std::size_t f) { parents.back() = static_cast<std::int64_t>(f); });
   }
   return parents;
 }
@@ -410,16 +390,20 @@ Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
     mesh.points.push_back(state_->triangulation.point(Vertex(v)));
   }
   typename Mesh<Dim>::Field region{"region", {}};
-  typename Mesh<Dim>::Field region_tag{"tag", {}};
   for (const Simplex s : state_->domain.simplices()) {
     auto simplex = corner_ids<Dim>(complex, s);
     for (std::uint32_t& v : simplex) v = id[v];
     mesh.simplices.push_back(simplex);
     region.values.push_back(state_->domain.region(s));
-    region_tag.values.push_back(state_->domain.tag(state_->domain.region(s)));
   }
   mesh.simplex_fields.push_back(std::move(region));
-  if (!state_->seeds.regions.empty()) mesh.simplex_fields.push_back(std::move(region_tag));
+  if (!state_->seeds.regions.empty()) {
+    typename Mesh<Dim>::Field tag{"tag", {}};
+    for (const std::int64_t r : mesh.simplex_fields[0].values) {
+      tag.values.push_back(state_->domain.tag(static_cast<typename Domain<Dim>::Region>(r)));
+    }
+    mesh.simplex_fields.push_back(std::move(tag));
+  }
 
   const std::vector<HalfFacet> walls = state_->domain.boundary();
   for (const HalfFacet h : walls) {
@@ -428,13 +412,14 @@ Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
     mesh.boundary.push_back(facet);
   }
   typename Mesh<Dim>::Field parent{"parent", state_->parents_of(walls)};
-  typename Mesh<Dim>::Field facet_tag{"tag", {}};
-  for (const std::int64_t f : parent.values) {
-    facet_tag.values.push_back(
-        f < 0 || state_->facet_tags.empty() ? 0 : state_->facet_tags[static_cast<std::size_t>(f)]);
-  }
   mesh.boundary_fields.push_back(std::move(parent));
-  if (!state_->facet_tags.empty()) mesh.boundary_fields.push_back(std::move(facet_tag));
+  if (!state_->facet_tags.empty()) {
+    typename Mesh<Dim>::Field tag{"tag", {}};
+    for (const std::int64_t f : mesh.boundary_fields[0].values) {
+      tag.values.push_back(f < 0 ? 0 : state_->facet_tags[static_cast<std::size_t>(f)]);
+    }
+    mesh.boundary_fields.push_back(std::move(tag));
+  }
   return mesh;
 }
 

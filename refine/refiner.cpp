@@ -30,7 +30,6 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       boundary_(&boundary),
       conformer_(&conformer),
       inserter_(triangulation, domain, flow, options.max_ratio, rules),
-      may_excuse_fewer_(rules.may_excuse_fewer),
       on_segments_before_(conformer.points_on_segments()),
       on_patches_before_(conformer.points_on_patches()) {
   require_valid(options);
@@ -50,7 +49,8 @@ RefineResult Refiner<Dim>::run() {
     run_rounds();
   }
   if (conformer_ != nullptr) refine_boundary();
-  result_.stop = is_valid_ || is_bold_ ? budget_.stop() : std::max(budget_.stop(), Stop::budget);
+  result_.stop = budget_.stop();
+  if (!is_valid_ && !is_bold_ && result_.stop == Stop::no_candidate) result_.stop = Stop::floor;
   result_.insert = options_.insert;
   result_.prestars = inserter_.num_prestars();
   result_.inserted = num_inserted();
@@ -153,6 +153,7 @@ void Refiner<Dim>::classify_remaining() {
     return a.second.ratio != b.second.ratio ? a.second.ratio > b.second.ratio : a.first < b.first;
   });
   leftovers_.clear();
+  result_.remaining = {};
   for (const auto& [tie, leftover] : found) {
     leftovers_.push_back(leftover);
     ++result_.remaining.count(leftover.reason);

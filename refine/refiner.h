@@ -40,7 +40,8 @@ class Refiner {
 
   RefineResult run();
   /// After run(): null if the mesh is valid. Else a budget, the cancel flag or the floor has ended it in the
-  /// middle of what a point on the boundary set off, and this is the last valid state: rebuild that.
+  /// middle of what a point on the boundary set off, and this is the last valid state: rebuild that. What
+  /// remains is told of that state, too.
   const typename Boundary<Dim>::Snapshot* last_valid() const { return is_valid_ ? nullptr : &*last_valid_; }
   /// After run(): the simplices of low quality that remain, the worst ratio first. Corners and features are
   /// those of the complex.
@@ -58,6 +59,9 @@ class Refiner {
   bool is_flat(Simplex s) const;
   bool insert_center_of_circle(Simplex s);
   HalfFacet wall_before_center(Simplex s);
+  bool divide_at(HalfFacet wall);
+  template <class IsWanted, class Mend>
+  bool mend_each(IsWanted&& is_wanted, Mend&& mend);
   void settle_boundary();
   std::size_t num_boundary_points() const;
 
@@ -102,7 +106,6 @@ class Refiner {
   std::size_t inserted_before_round_ = 0;
   bool generous_ = false;  // with points on the boundary
   bool is_valid_ = true;
-  bool may_excuse_fewer_ = false;
   bool is_bold_ = false;  // fewer are excused than was asked for: if that fails, the state before is the result
   std::optional<typename Boundary<Dim>::Snapshot> last_valid_;
   std::size_t on_segments_before_ = 0;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/location.h"
 #include "core/mix.h"
 #include "refine/refiner.h"
 #include "refine/vector.h"
@@ -16,7 +17,7 @@ namespace sinkmesh {
 // After a point on the boundary: the mesh is valid again when what it set off has come to its end.
 template <int Dim>
 void Refiner<Dim>::settle_boundary() {
-  is_valid_ = conformer_->conform([this] { return may_continue(); }) && conformer_->unconformed().empty();
+  is_valid_ = conformer_->conform([this] { return may_continue(); });
   if (!is_valid_) return;
   for (const Simplex s : conformer_->label_new()) inserter_.add(s);
 }
@@ -30,12 +31,14 @@ void Refiner<Dim>::settle_boundary() {
 // leaves.
 template <int Dim>
 void Refiner<Dim>::refine_boundary() {
+  // One step from the default in space, none from that in the plane: further down spirals begin.
   constexpr double kLeastLambda = Dim == 2 ? HUGE_VAL : 0.29;
   constexpr double kStep = 0.6;
-  const bool is_given = may_excuse_fewer_ && on_segments_before_ + on_patches_before_ == 0;
+  const bool is_given = on_segments_before_ + on_patches_before_ == 0;
   const std::size_t fixed = inserter_.num_low_quality();
   for (double lambda = conformer_->lambda();; lambda *= kStep) {
     last_valid_ = boundary_->snapshot();
+    classify_remaining();
     if (lambda != conformer_->lambda()) {
       is_bold_ = true;
       boundary_->forget_relaxed_radii();
@@ -79,11 +82,9 @@ bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
     for (const HalfFacet h : inserter_.encroached_walls(candidate)) {
       const SubFacet f = boundary_->at(h);
       const FacetCorners<Dim> corners = boundary_->corner_points(f);
-      std::uint64_t tie = 0;
-      for (const Point<Dim>* p : corners) tie += hash_point<Dim>(*p);
       entries.push_back(
           {squared_distance(candidate.center, facet_center<Dim>(corners)) / facet_shape<Dim>(corners).radius2,
-           tie, f});
+           hash_points<Dim>(corners), f});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
       return a.depth2 != b.depth2 ? a.depth2 < b.depth2 : a.tie < b.tie;
@@ -99,7 +100,7 @@ bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
     const double generous2 = Dim == 2 ? kShell2 * candidate.radius2 : relaxed2;
     const double least2 = generous_ ? generous2 : kStrict2 * candidate.radius2;
     for (const Entry& entry : entries) {
-      if (!conformer_->split(entry.facet, least2, least2)) continue;
+      if (!conformer_->split(entry.facet, least2)) continue;
       settle_boundary();
       return true;
     }
@@ -108,55 +109,60 @@ bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
   return false;
 }
 
-// The wall that bars the way from a simplex to its circumcenter, or null: a visibility walk, as in locate().
+// The wall that bars the way from a simplex to its circumcenter, or null.
 template <int Dim>
 HalfFacet Refiner<Dim>::wall_before_center(Simplex s) {
-  const Complex<Dim>& complex = inserter_.complex();
-  const Predicates<Dim>& predicates = inserter_.triangulation().predicates();
-  const Point<Dim> center = inserter_.center_or_direction(s);
-  HalfFacet entry;
-  for (Simplex at = s;;) {
-    HalfFacet exit;
-    for (int i = 0; i <= Dim && exit.is_null(); ++i) {
-      const HalfFacet h = Complex<Dim>::half_facet(at, i);
-      if (h == entry) continue;
-      Corners<Dim> corners = complex.corners(at);
-      corners[static_cast<std::size_t>(i)] = &center;
-      if (predicates.orient(corners) < 0) exit = h;
-    }
-    if (exit.is_null() || inserter_.domain().is_wall(exit)) return exit;
-    entry = complex.mate(exit);
-    at = Complex<Dim>::simplex_of(entry);
+  HalfFacet wall;
+  visibility_walk(
+      inserter_.complex(), inserter_.triangulation().predicates(), inserter_.center_or_direction(s), s,
+      [](Simplex) { return false; },
+      [&](HalfFacet h) {
+        if (inserter_.domain().is_wall(h)) wall = h;
+        return wall.is_null();
+      });
+  return wall;
+}
+
+// Calls mend(s) for the inside simplices with is_wanted(s), in an order that only the geometry decides, while
+// they live. mend returns whether it has changed the mesh.
+template <int Dim>
+template <class IsWanted, class Mend>
+bool Refiner<Dim>::mend_each(IsWanted&& is_wanted, Mend&& mend) {
+  struct Entry {
+    std::uint64_t tie;
+    Simplex simplex;
+    std::uint32_t birth;
+  };
+  std::vector<Entry> entries;
+  for (const Simplex s : inserter_.domain().simplices()) {
+    if (is_wanted(s)) entries.push_back({inserter_.tie(s), s, inserter_.birth(s)});
   }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.tie < b.tie; });
+  bool has_changed = false;
+  for (const Entry& entry : entries) {
+    if (!inserter_.is_current(entry.simplex, entry.birth)) continue;
+    if (!may_continue()) break;
+    has_changed = mend(entry.simplex) || has_changed;
+  }
+  return has_changed;
 }
 
 // No flow crosses the boundary, but in space a circumcenter may still lie beyond it. Where the way from a
 // simplex to its center is barred, the sub-facet there is divided.
 template <int Dim>
 bool Refiner<Dim>::bring_centers_inside() {
-  struct Barrier {
-    std::uint64_t tie;
-    SubFacet facet;
-    std::uint32_t birth;
-  };
-  std::vector<Barrier> barriers;
-  for (const Simplex s : inserter_.domain().simplices()) {
-    if (flow_->is_sink(s)) continue;
-    const HalfFacet wall = wall_before_center(s);
-    if (wall.is_null()) continue;
-    const SubFacet f = boundary_->at(wall);
-    barriers.push_back({inserter_.tie(s), f, boundary_->sub_facets()[f].birth});
-  }
-  std::sort(barriers.begin(), barriers.end(), [](const Barrier& a, const Barrier& b) { return a.tie < b.tie; });
-  bool has_inserted = false;
-  for (const Barrier& barrier : barriers) {
-    if (!boundary_->sub_facets().is_current(barrier.facet, barrier.birth)) continue;
-    if (!may_continue()) break;
-    if (!conformer_->split(barrier.facet, 0, 0)) continue;
-    settle_boundary();
-    has_inserted = true;
-  }
-  return has_inserted;
+  return mend_each([this](Simplex s) { return !flow_->is_sink(s) && !wall_before_center(s).is_null(); },
+                   [this](Simplex s) {
+                     const HalfFacet wall = wall_before_center(s);  // another one by now, or none
+                     return !wall.is_null() && divide_at(wall);
+                   });
+}
+
+template <int Dim>
+bool Refiner<Dim>::divide_at(HalfFacet wall) {
+  if (!conformer_->split(boundary_->at(wall), 0)) return false;
+  settle_boundary();
+  return true;
 }
 
 // Whether the volume of a simplex is nothing but rounding, and its corners are not all given.
@@ -171,6 +177,7 @@ bool Refiner<Dim>::is_flat(Simplex s) const {
   return !is_given && flatness<Dim>(complex.corners(s)) < kFlat;
 }
 
+// The center of its sphere is noise, but not that of the circle of its largest facet.
 template <int Dim>
 bool Refiner<Dim>::insert_center_of_circle(Simplex s) {
   const Complex<Dim>& complex = inserter_.complex();
@@ -187,42 +194,20 @@ bool Refiner<Dim>::insert_center_of_circle(Simplex s) {
   candidate.center = center;
   ++round_.candidates;
   if (inserter_.insert(candidate) == Verdict::inserted) return true;
-  for (const HalfFacet h : inserter_.encroached_walls(candidate)) {
-    if (!conformer_->split(boundary_->at(h), 0, 0)) continue;
-    settle_boundary();
-    return true;
-  }
-  return false;
+  const std::vector<HalfFacet> walls = inserter_.encroached_walls(candidate);
+  return std::any_of(walls.begin(), walls.end(), [this](HalfFacet wall) { return divide_at(wall); });
 }
 
 // Each time one is moved out there is one less, or there is one more vertex.
 template <int Dim>
 bool Refiner<Dim>::expel_flat_simplices() {
-  struct Entry {
-    std::uint64_t tie;
-    Simplex simplex;
-    std::uint32_t birth;
-  };
-  std::vector<Entry> entries;
-  for (const Simplex s : inserter_.domain().simplices()) {
-    if (conformer_->is_on_one_patch(s) || is_flat(s))
-      entries.push_back({inserter_.tie(s), s, inserter_.birth(s)});
-  }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.tie < b.tie; });
-  bool has_changed = false;
-  for (const Entry& entry : entries) {
-    const Simplex s = entry.simplex;
-    if (!inserter_.is_current(s, entry.birth)) continue;
-    if (!may_continue()) break;
-    if (conformer_->expel(s)) {
-      settle_boundary();
-      has_changed = true;
-      continue;
-    }
-    // A trapezoid inside, of points that are placed alike. Its center is noise, but not that of its circle.
-    has_changed = insert_center_of_circle(s) || has_changed;
-  }
-  return has_changed;
+  return mend_each([this](Simplex s) { return conformer_->is_on_one_patch(s) || is_flat(s); },
+                   [this](Simplex s) {
+                     // What cannot be expelled is a trapezoid inside, of points that are placed alike.
+                     if (!conformer_->expel(s)) return insert_center_of_circle(s);
+                     settle_boundary();
+                     return true;
+                   });
 }
 
 template class Refiner<2>;

@@ -96,7 +96,7 @@ void SteinerInserter<Dim>::add(Simplex s) {
   notes_[s.index()] = kLow;
   ++num_low_;
   low_.emplace_back(s, births_);
-  if (rules_.features != nullptr && shape.radius2 <= max_ratio2_ * relaxed_length2(s)) {
+  if (rules_.features != nullptr && is_excused_by_angle(s, shape)) {
     notes_[s.index()] |= kExcused;
     return;
   }
@@ -105,8 +105,7 @@ void SteinerInserter<Dim>::add(Simplex s) {
 
 template <int Dim>
 template <class Visit>
-void SteinerInserter<Dim>::for_each_shortest_edge(Simplex s, Visit&& visit) const {
-  const double shortest2 = shape<Dim>(complex().corners(s)).shortest2;
+void SteinerInserter<Dim>::for_each_shortest_edge(Simplex s, double shortest2, Visit&& visit) const {
   for (int i = 0; i <= Dim; ++i) {
     for (int j = 0; j < i; ++j) {
       const Vertex p = complex().corner(s, i);
@@ -118,11 +117,11 @@ void SteinerInserter<Dim>::for_each_shortest_edge(Simplex s, Visit&& visit) cons
 
 // The square of L [BR, 6].
 template <int Dim>
-double SteinerInserter<Dim>::relaxed_length2(Simplex s) const {
+double SteinerInserter<Dim>::relaxed_length2(Simplex s, double shortest2) const {
   // Below a ratio of 2 a point on a segment may be nearer than the edge is long.
   const double least = rules_.floor * std::max(1.0, 2 / std::sqrt(max_ratio2_));
-  double length2 = std::max(shape<Dim>(complex().corners(s)).shortest2, least * least);
-  for_each_shortest_edge(s, [&](Vertex p, Vertex q) {
+  double length2 = std::max(shortest2, least * least);
+  for_each_shortest_edge(s, shortest2, [&](Vertex p, Vertex q) {
     length2 = std::max(length2, rules_.features->vertex(std::max(p, q)).relaxed2);
     if (const auto rung = rules_.features->rung(p, q, rules_.lambda)) length2 = std::max(length2, rung->reach2);
   });
@@ -130,11 +129,16 @@ double SteinerInserter<Dim>::relaxed_length2(Simplex s) const {
 }
 
 template <int Dim>
+bool SteinerInserter<Dim>::is_excused_by_angle(Simplex s, const Shape& shape) const {
+  return shape.radius2 <= max_ratio2_ * relaxed_length2(s, shape.shortest2);
+}
+
+template <int Dim>
 void SteinerInserter<Dim>::set_lambda(double lambda) {
   rules_.lambda = lambda;
   for (const Simplex s : low_quality()) {
     std::uint8_t& notes = notes_[s.index()];
-    const bool is_excused = shape<Dim>(complex().corners(s)).radius2 <= max_ratio2_ * relaxed_length2(s);
+    const bool is_excused = is_excused_by_angle(s, shape<Dim>(complex().corners(s)));
     notes = static_cast<std::uint8_t>(is_excused ? notes | kExcused : notes & ~kExcused);
   }
 }
@@ -142,7 +146,7 @@ void SteinerInserter<Dim>::set_lambda(double lambda) {
 template <int Dim>
 std::optional<Rung> SteinerInserter<Dim>::rung(Simplex s) const {
   std::optional<Rung> result;
-  for_each_shortest_edge(s, [&](Vertex p, Vertex q) {
+  for_each_shortest_edge(s, shape<Dim>(complex().corners(s)).shortest2, [&](Vertex p, Vertex q) {
     if (!result) result = rules_.features->rung(p, q, rules_.lambda);
     const Vertex young = std::max(p, q);
     const Vertex culprit = rules_.features->vertex(young).culprit;
@@ -184,9 +188,7 @@ std::vector<HalfFacet> SteinerInserter<Dim>::encroached_walls(const Candidate<Di
 
 template <int Dim>
 std::uint64_t SteinerInserter<Dim>::tie(Simplex s) const {
-  std::uint64_t sum = 0;
-  for (const Point<Dim>* p : complex().corners(s)) sum += hash_point<Dim>(*p);
-  return sum;
+  return hash_points<Dim>(complex().corners(s));
 }
 
 template <int Dim>

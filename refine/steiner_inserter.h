@@ -15,6 +15,7 @@
 #include "refine/domain.h"
 #include "refine/flow.h"
 #include "refine/options.h"
+#include "refine/quality.h"
 
 namespace sinkmesh {
 
@@ -39,8 +40,6 @@ struct BoundaryRules {
   const BoundaryFeatures<Dim>* features = nullptr;
   double lambda = 0;  ///< see BoundaryFeatures::rung()
   double floor = 0;   ///< no edge counts as shorter; gated
-  /// Whether lambda may be lowered where more would remain than with a fixed boundary.
-  bool may_excuse_fewer = true;
 };
 
 /// Keeps the triangulation, the domain, the flow and the list of simplices of low quality together while points
@@ -100,9 +99,11 @@ class SteinerInserter {
   /// Judges anew who is excused.
   void set_lambda(double lambda);
   /// The square of L: see the constructor.
-  double relaxed_length2(Simplex s) const;
-  /// The rungs among the shortest edges of s: why it is excused; or, if
-  /// the excuse is inherited, the one between a vertex and its culprit.
+  double relaxed_length2(Simplex s) const {
+    return relaxed_length2(s, shape<Dim>(complex().corners(s)).shortest2);
+  }
+  /// Why s is excused: a rung among its shortest edges, or, if the excuse is inherited, the one between a
+  /// vertex and its culprit.
   std::optional<Rung> rung(Simplex s) const;
   /// Whether the center of s has been refused. It is not tried again while s lives.
   bool is_rejected(Simplex s) const { return rejection(s) != Verdict::inserted; }
@@ -208,7 +209,9 @@ class SteinerInserter {
   void commit(const Point<Dim>& x);
   void count_vertices();
   template <class Visit>
-  void for_each_shortest_edge(Simplex s, Visit&& visit) const;
+  void for_each_shortest_edge(Simplex s, double shortest2, Visit&& visit) const;
+  double relaxed_length2(Simplex s, double shortest2) const;
+  bool is_excused_by_angle(Simplex s, const Shape& shape) const;
   bool is_separated(const Point<Dim>& x, Vertex v) const;
 
   Triangulation<Dim>* triangulation_;

@@ -27,7 +27,7 @@ class SubFacets {
   struct Record {
     Corners corners{};         ///< in space counterclockwise in the projection of the patch
     std::uint32_t owner = 0;   ///< patch; in the plane segment
-    std::uint32_t parent = 0;  ///< facet of the surface
+    std::uint32_t parent = 0;  ///< facet of the surface; in a patch of several, one of them (see Parents)
     std::uint32_t birth = 0;   ///< no two sub-facets in the same slot share it
     HalfFacet at;              ///< where it is in the triangulation; null: missing
     // In space, by corner, for the edge opposite it:
@@ -40,7 +40,7 @@ class SubFacets {
     std::size_t k;
   };
 
-  /// @param segments  in space, of the edges opposite the corners: kNone or a segment.
+  /// Of the record, `next` and `birth` are set here.
   SubFacet add(const Record& record);
   void remove(SubFacet f);
 

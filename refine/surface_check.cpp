@@ -14,31 +14,12 @@
 
 #include "predicates/predicates.h"
 #include "refine/self_intersections.h"
+#include "refine/union_find.h"
 
 namespace sinkmesh {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::size_t i, std::size_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 // One use of an edge by a facet. Sorted, the uses of an edge are neighbors, in the order of the facets.
 struct EdgeUse {

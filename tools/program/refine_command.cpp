@@ -51,6 +51,11 @@ double ratio_asked(const RefineArguments& arguments, int dim) {
   return arguments.ratio.value_or(default_ratio(dim));
 }
 
+const char* reason_to_stop(Stop stop) {
+  if (stop == Stop::floor) return "where points on the boundary would have come too near to each other";
+  return stop == Stop::budget ? "at the limit that was set" : "on request";
+}
+
 // One run, with everything that the summary and the report tell about it.
 template <int Dim>
 class RefineRun {
@@ -233,9 +238,7 @@ class RefineRun {
                                          count(result_.candidates, "candidate", "candidates")));
     add_remaining(summary, result_.remaining, ratio_);
     if (result_.stop != Stop::no_candidate) {
-      summary.line("stopped",
-                   fmt::format("early, {}; the mesh is valid",
-                               result_.stop == Stop::budget ? "at the limit that was set" : "on request"));
+      summary.line("stopped", fmt::format("early, {}; the mesh is valid", reason_to_stop(result_.stop)));
     }
     add_times(summary, phases_, total_);
     summary.line("output",
