@@ -48,12 +48,22 @@ class Refiner {
   const std::vector<Leftover<Dim>>& leftovers() const { return leftovers_; }
 
  private:
+  struct Encroached {
+    double depth2;  // 0 at the center of its diametral sphere, 1 on it
+    std::uint64_t tie;
+    SubFacet facet;
+    Point<Dim> center;
+  };
+
   void run_incremental(bool divides_boundary);
   void run_rounds();
   void refine_boundary();
   // Each returns whether it has inserted a point.
   bool divide_for(Simplex s);
   bool divide_for_center_of(Simplex center, double relaxed2);
+  bool insert_withdrawn_center(Simplex s, double relaxed2);
+  double least_distance2(double radius2, double relaxed2) const;
+  std::vector<Encroached> encroached_sub_facets(const Candidate<Dim>& candidate);
   bool bring_centers_inside();
   bool expel_flat_simplices();
   bool is_flat(Simplex s) const;

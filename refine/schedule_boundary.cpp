@@ -22,9 +22,9 @@ void Refiner<Dim>::settle_boundary() {
   for (const Simplex s : conformer_->label_new()) inserter_.add(s);
 }
 
-// At first only where a point on the boundary is nearly as far from all vertices as the center for which it
-// stands; that keeps the mesh small. What is left then has to be content with any that makes no edge shorter
-// than the one that is to go.
+// At first only with points that are nearly as far from all vertices as the center for which they stand; that
+// keeps the mesh small. What is left then has to be content with any that makes no edge shorter than the one
+// that is to go.
 //
 // Points on the boundary may leave more simplices that a small angle excuses than they mend. On a surface that
 // is conforming as given, fewer are excused then, until there are no more of low quality than a fixed boundary
@@ -57,9 +57,17 @@ void Refiner<Dim>::refine_boundary() {
   }
 }
 
+// How far, squared, a point for a simplex has to be from all vertices.
+template <int Dim>
+double Refiner<Dim>::least_distance2(double radius2, double relaxed2) const {
+  constexpr double kStrict2 = 0.7;
+  return generous_ ? relaxed2 : std::max(relaxed2, kStrict2 * radius2);
+}
+
 template <int Dim>
 bool Refiner<Dim>::divide_for(Simplex s) {
   const double relaxed2 = inserter_.relaxed_length2(s);
+  if (insert_withdrawn_center(s, relaxed2)) return true;
   if (options_.insert == Insert::sink &&
       visit_sinks(s, [&](Simplex sink) { return divide_for_center_of(sink, relaxed2); })) {
     return true;
@@ -67,40 +75,65 @@ bool Refiner<Dim>::divide_for(Simplex s) {
   return divide_for_center_of(s, relaxed2);
 }
 
-// The sub-facets that the center encroaches, the deepest first.
+// The sub-facets that the point of a candidate encroaches, the deepest first.
+template <int Dim>
+auto Refiner<Dim>::encroached_sub_facets(const Candidate<Dim>& candidate) -> std::vector<Encroached> {
+  std::vector<Encroached> result;
+  for (const HalfFacet h : inserter_.encroached_walls(candidate)) {
+    const SubFacet f = boundary_->at(h);
+    const FacetCorners<Dim> corners = boundary_->corner_points(f);
+    const Point<Dim> center = facet_center<Dim>(corners);
+    const double radius2 = facet_shape<Dim>(corners).radius2;
+    result.push_back(
+        {squared_distance(candidate.center, center) / radius2, hash_points<Dim>(corners), f, center});
+  }
+  std::sort(result.begin(), result.end(), [](const Encroached& a, const Encroached& b) {
+    return a.depth2 != b.depth2 ? a.depth2 < b.depth2 : a.tie < b.tie;
+  });
+  return result;
+}
+
+// Instead of the boundary, the point gives way: it moves straight out of the diametral sphere that it
+// encroaches the deepest, then perhaps out of another. It stays inside, so no cascade follows from it; inside
+// the sphere of s, or it would not be inserted; and no nearer to a vertex than a point on the boundary would
+// be, so the proof of termination holds for it, too.
+template <int Dim>
+bool Refiner<Dim>::insert_withdrawn_center(Simplex s, double relaxed2) {
+  constexpr int kSteps = 4;
+  constexpr double kOut = 1 + 0x1p-20;
+  Candidate<Dim> candidate;
+  if (!inserter_.make_candidate(s, candidate)) return false;
+  candidate.least2 = least_distance2(candidate.radius2, relaxed2);
+  for (int step = 0; step < kSteps; ++step) {
+    const std::vector<Encroached> encroached = encroached_sub_facets(candidate);
+    if (encroached.empty() || encroached.front().depth2 == 0) return false;
+    const Encroached& deepest = encroached.front();
+    const double scale = kOut / std::sqrt(deepest.depth2);
+    for (std::size_t k = 0; k < Dim; ++k) {
+      candidate.center[k] = deepest.center[k] + scale * (candidate.center[k] - deepest.center[k]);
+    }
+    ++round_.candidates;
+    if (inserter_.insert_other(candidate) == Verdict::inserted) return true;
+  }
+  return false;
+}
+
 template <int Dim>
 bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
   if (inserter_.is_hopeless(s)) return false;
   Candidate<Dim> candidate;
   if (inserter_.make_candidate(s, candidate)) {
-    struct Entry {
-      double depth2;
-      std::uint64_t tie;
-      SubFacet facet;
-    };
-    std::vector<Entry> entries;
-    for (const HalfFacet h : inserter_.encroached_walls(candidate)) {
-      const SubFacet f = boundary_->at(h);
-      const FacetCorners<Dim> corners = boundary_->corner_points(f);
-      entries.push_back(
-          {squared_distance(candidate.center, facet_center<Dim>(corners)) / facet_shape<Dim>(corners).radius2,
-           hash_points<Dim>(corners), f});
-    }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-      return a.depth2 != b.depth2 ? a.depth2 < b.depth2 : a.tie < b.tie;
-    });
-    if (entries.empty()) {
+    const std::vector<Encroached> encroached = encroached_sub_facets(candidate);
+    if (encroached.empty()) {
       // Perhaps it was refused because of what has been divided since.
       inserter_.reconsider(s);
       return insert_center_of(s);
     }
-    constexpr double kStrict2 = 0.7;
     // In the plane: what a shell at a third of a segment leaves of the radius of a center that encroaches it.
     constexpr double kShell2 = 0.22;
-    const double generous2 = Dim == 2 ? kShell2 * candidate.radius2 : relaxed2;
-    const double least2 = generous_ ? generous2 : kStrict2 * candidate.radius2;
-    for (const Entry& entry : entries) {
-      if (!conformer_->split(entry.facet, least2)) continue;
+    const double least2 = least_distance2(candidate.radius2, Dim == 2 ? kShell2 * candidate.radius2 : relaxed2);
+    for (const Encroached& e : encroached) {
+      if (!conformer_->split(e.facet, least2)) continue;
       settle_boundary();
       return true;
     }
@@ -193,7 +226,7 @@ bool Refiner<Dim>::insert_center_of_circle(Simplex s) {
   Candidate<Dim> candidate = inserter_.describe(s);
   candidate.center = center;
   ++round_.candidates;
-  if (inserter_.insert(candidate) == Verdict::inserted) return true;
+  if (inserter_.insert_other(candidate) == Verdict::inserted) return true;
   const std::vector<HalfFacet> walls = inserter_.encroached_walls(candidate);
   return std::any_of(walls.begin(), walls.end(), [this](HalfFacet wall) { return divide_at(wall); });
 }

@@ -25,9 +25,6 @@ bool is_strictly_inside(const Corners<3>& s, const Point3& x) {
 // by a noticeable part of the distance between vertices.
 constexpr double kResolution2 = 0x1p-80;
 
-// A sum of Dim squares of rounded differences has a relative error below (Dim+2) 2^-53.
-constexpr double kDown = 1 - 0x1p-50;
-
 }  // namespace
 
 template <int Dim>
@@ -227,11 +224,6 @@ Point<Dim> SteinerInserter<Dim>::center_or_direction(Simplex s) {
   return center;
 }
 
-template <int Dim>
-bool SteinerInserter<Dim>::is_separated(const Point<Dim>& x, Vertex v) const {
-  return squared_distance(x, complex().point(v)) * kDown >= separation2_;
-}
-
 // Finds an inside simplex in conflict with the point.
 template <int Dim>
 Verdict SteinerInserter<Dim>::locate(const Candidate<Dim>& candidate, Simplex& start) {
@@ -261,6 +253,15 @@ Verdict SteinerInserter<Dim>::test(const Candidate<Dim>& candidate, std::vector<
   std::sort(closure.begin(), closure.end());
   closure.erase(std::unique(closure.begin(), closure.end()), closure.end());
   triangulation_->release(cavity_);
+  return verdict;
+}
+
+template <int Dim>
+Verdict SteinerInserter<Dim>::insert_other(const Candidate<Dim>& candidate) {
+  Simplex start;
+  Verdict verdict = locate(candidate, start);
+  if (verdict == Verdict::inserted) verdict = grow(candidate, start, [](Vertex) { return false; });
+  if (verdict == Verdict::inserted) commit(candidate.center);
   return verdict;
 }
 

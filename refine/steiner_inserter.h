@@ -3,6 +3,7 @@
 // One Steiner point: from a simplex to its exact center, through all tests, into the complex.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "refine/flow.h"
 #include "refine/options.h"
 #include "refine/quality.h"
+#include "refine/vector.h"
 
 namespace sinkmesh {
 
@@ -28,6 +30,7 @@ struct Candidate {
   Point<Dim> center{};      ///< exact, rounded once
   std::array<Point<Dim>, Dim + 1> corners{};
   double radius2 = 0;
+  double least2 = 0;      ///< the least squared distance from all vertices, where delta is not enough
   std::uint64_t tie = 0;  ///< orders candidates of equal radius; a function of the geometry
 };
 
@@ -188,11 +191,17 @@ class SteinerInserter {
     }
   }
 
+  /// The same with another point than the center of its simplex, which lives. If it fails, that is not noted:
+  /// what is known of the center stands.
+  Verdict insert_other(const Candidate<Dim>& candidate);
+
   std::size_t num_prestars() const { return num_prestars_; }
   std::size_t num_inserted() const { return num_inserted_; }
   const Rejections& rejections() const { return rejections_; }
 
  private:
+  // A sum of Dim squares of rounded differences has a relative error below (Dim+2) 2^-53.
+  static constexpr double kDown = 1 - 0x1p-50;
   // Bits of a note: low quality, excused, hopeless, and three for the verdict on the center.
   static constexpr std::uint8_t kLow = 1;
   static constexpr std::uint8_t kExcused = 2;
@@ -212,7 +221,6 @@ class SteinerInserter {
   void for_each_shortest_edge(Simplex s, double shortest2, Visit&& visit) const;
   double relaxed_length2(Simplex s, double shortest2) const;
   bool is_excused_by_angle(Simplex s, const Shape& shape) const;
-  bool is_separated(const Point<Dim>& x, Vertex v) const;
 
   Triangulation<Dim>* triangulation_;
   Domain<Dim>* domain_;
@@ -241,8 +249,11 @@ template <int Dim>
 template <class IsTaken>
 class SteinerInserter<Dim>::Guide {
  public:
-  Guide(const SteinerInserter& inserter, const Point<Dim>& x, IsTaken& is_taken)
-      : inserter_(&inserter), x_(&x), is_taken_(&is_taken) {}
+  Guide(const SteinerInserter& inserter, const Candidate<Dim>& candidate, IsTaken& is_taken)
+      : inserter_(&inserter),
+        x_(&candidate.center),
+        least2_(std::max(inserter.separation2_, candidate.least2)),
+        is_taken_(&is_taken) {}
 
   Verdict verdict() const { return crossed_ && verdict_ == Verdict::inserted ? Verdict::crossing : verdict_; }
 
@@ -277,7 +288,7 @@ class SteinerInserter<Dim>::Guide {
       verdict_ = Verdict::dependent;
       return false;
     }
-    if (!inserter_->is_separated(*x_, v)) {
+    if (!(squared_distance(*x_, inserter_->complex().point(v)) * kDown >= least2_)) {
       verdict_ = Verdict::separation;
       return false;
     }
@@ -286,6 +297,7 @@ class SteinerInserter<Dim>::Guide {
 
   const SteinerInserter* inserter_;
   const Point<Dim>* x_;
+  double least2_;
   IsTaken* is_taken_;
   Verdict verdict_ = Verdict::inserted;
   bool crossed_ = false;
@@ -295,7 +307,7 @@ class SteinerInserter<Dim>::Guide {
 template <int Dim>
 template <class IsTaken>
 Verdict SteinerInserter<Dim>::grow(const Candidate<Dim>& candidate, Simplex start, IsTaken&& is_taken) {
-  Guide<std::remove_reference_t<IsTaken>> guide(*this, candidate.center, is_taken);
+  Guide<std::remove_reference_t<IsTaken>> guide(*this, candidate, is_taken);
   if (!guide.start(start)) return guide.verdict();
   ++num_prestars_;
   triangulation_->announce(candidate.center);
