@@ -31,6 +31,12 @@ double round_to_grid(double x) {
 }  // namespace
 
 template <int Dim>
+Point<Dim> on_grid(Point<Dim> p) {
+  for (double& x : p) x = round_to_grid(x);
+  return p;
+}
+
+template <int Dim>
 InputGate<Dim>::InputGate(std::span<const Point<Dim>> points) {
   double largest = 0;
   std::size_t index_of_largest = 0;
@@ -73,9 +79,9 @@ bool InputGate<Dim>::admits(const Point<Dim>& p) const {
 
 template <int Dim>
 Point<Dim> InputGate<Dim>::in(const Point<Dim>& p) const {
-  Point<Dim> gated;
-  for (std::size_t k = 0; k < Dim; ++k) gated[k] = round_to_grid(p[k] * factor_);
-  return gated;
+  Point<Dim> scaled;
+  for (std::size_t k = 0; k < Dim; ++k) scaled[k] = p[k] * factor_;
+  return on_grid<Dim>(scaled);
 }
 
 template <int Dim>
@@ -85,6 +91,8 @@ Point<Dim> InputGate<Dim>::out(const Point<Dim>& p) const {
   return raw;
 }
 
+template Point2 on_grid<2>(Point2);
+template Point3 on_grid<3>(Point3);
 template class InputGate<2>;
 template class InputGate<3>;
 

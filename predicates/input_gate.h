@@ -13,6 +13,11 @@ namespace sinkmesh {
 /// The grid of the gate: gated coordinates are multiples of 2^-kGridBits.
 inline constexpr int kGridBits = 121;
 
+/// The nearest point of the grid, ties to even; -0.0 becomes +0.0. What is constructed behind the gate has to
+/// pass it before predicates see it; only coordinates below 2^-69 change. Requires coordinates in (-2, 2).
+template <int Dim>
+Point<Dim> on_grid(Point<Dim> p);
+
 /// Scales by one power of two, so that the largest |coordinate| is in [1,2), rounds to the grid 2^-121 (which
 /// changes nothing unless a coordinate is smaller than the largest by more than a factor of about 2^68), and
 /// turns -0.0 into +0.0.
@@ -52,6 +57,8 @@ class InputGate {
   Box<Dim> box_;
 };
 
+extern template Point2 on_grid<2>(Point2);
+extern template Point3 on_grid<3>(Point3);
 extern template class InputGate<2>;
 extern template class InputGate<3>;
 

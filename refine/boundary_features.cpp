@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "predicates/constructions.h"
+#include "predicates/input_gate.h"
 #include "refine/vector.h"
 
 namespace sinkmesh {
@@ -38,7 +39,7 @@ Point3 Plane::lift(const Point2& p) const {
   q[kept[1]] = p[1];
   const double slope = normal[kept[0]] * (p[0] - origin[kept[0]]) + normal[kept[1]] * (p[1] - origin[kept[1]]);
   q[dropped] -= slope / normal[dropped];
-  return q;
+  return on_grid<3>(q);
 }
 
 double Plane::distance(const Point3& p) const { return std::abs(dot(normal, p - origin)); }
@@ -116,7 +117,7 @@ Point<Dim> BoundaryFeatures<Dim>::point_at(std::uint32_t segment, double t) cons
   const Point<Dim>& b = complex_->point(segments_[segment].ends[1]);
   Point<Dim> x;
   for (std::size_t k = 0; k < Dim; ++k) x[k] = a[k] + t * (b[k] - a[k]);
-  return x;
+  return on_grid<Dim>(x);
 }
 
 template <int Dim>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/mix.h"
+#include "predicates/input_gate.h"
 #include "refine/quality.h"
 #include "refine/vector.h"
 
@@ -293,7 +294,7 @@ bool Conformer<Dim>::insert_alike(SubFacet f, Vertex q) {
     constexpr double kCloseness2 = 1e-6;
     for (const std::optional<Point3>& image : {mirror_image(f, q), sphere_point(f, q)}) {
       if (!image || !is_reachable<3>(*image)) continue;
-      const Point2 projected = plane.project(*image);
+      const Point2 projected = on_grid<2>(plane.project(*image));
       const auto at = PatchTriangulation(*boundary_).walk(f, projected);
       if (!at || at->barrier) continue;
       const Point3 x = plane.lift(projected);
@@ -314,10 +315,11 @@ bool Conformer<Dim>::split_at_center(SubFacet f, Vertex q, double distance2) {
     const Point3 center = facet_center<Dim>(boundary_->corner_points(f));
     if (!is_reachable<3>(center)) return false;
     const Plane& plane = boundary_->features().patches()[boundary_->sub_facets()[f].owner].plane;
-    const auto at = PatchTriangulation(*boundary_).walk(f, plane.project(center));
+    const Point2 projected = on_grid<2>(plane.project(center));
+    const auto at = PatchTriangulation(*boundary_).walk(f, projected);
     if (!at) return false;
     if (at->barrier) return split_segment(*at->barrier, q, distance2);
-    const Point3 x = plane.lift(plane.project(center));
+    const Point3 x = plane.lift(projected);
     triangulation_->announce(x);
     if (const auto segment = encroached_segment(*at, x)) return split_segment(*segment, q, distance2);
     return insert_on_patch(*at, x, q, distance2);

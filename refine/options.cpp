@@ -20,6 +20,13 @@ void require_valid(const RefineOptions& options) {
     throw InputError("flat is " + std::to_string(options.boundary.flat) +
                      ": it must be at least 0 and below 1, a fraction of the diagonal of the bounding box");
   }
+  if (options.reach && !(*options.reach >= 1)) {
+    throw InputError("reach is " + std::to_string(*options.reach) +
+                     ": it must be at least 1, or the simplices of an off-sink are of low quality again");
+  }
+  if (options.literal && options.insert == Insert::off_sink) {
+    throw InputError("literal rounds exist for sinks and circumcenters only");
+  }
   if (options.literal && options.schedule == Schedule::incremental) {
     throw InputError("literal rounds exist in the block and parallel schedules only");
   }
@@ -53,8 +60,20 @@ const char* name(Insert insert) {
       return "sink";
     case Insert::circumcenter:
       return "circumcenter";
-    case Insert::automatic:
-      return "auto";
+    case Insert::off_sink:
+      return "offsink";
+  }
+  return "";
+}
+
+const char* name(Order order) {
+  switch (order) {
+    case Order::ratio:
+      return "ratio";
+    case Order::shortest:
+      return "shortest";
+    case Order::smallest:
+      return "smallest";
   }
   return "";
 }

@@ -19,15 +19,21 @@ namespace sinkmesh {
 enum class Insert : std::uint8_t {
   sink,          ///< the sinks of the simplex: where its circumcenter flows to [EG01, 4.3]
   circumcenter,  ///< its own circumcenter
-  /// Circumcenters in space where the boundary is divided, else sinks: sinks need fewer tries and fewer points
-  /// in the plane, but lie as far along the flow as possible, which calls for more points on a boundary in
-  /// space.
-  automatic,
+  /// The point on the way from its shortest edge to its sink that is far enough from all vertices to leave good
+  /// simplices, and no farther: the fewest points [OS].
+  off_sink,
+};
+
+/// Which simplex of low quality comes first.
+enum class Order : std::uint8_t {
+  ratio,     ///< the largest r/l, as in [EG01, 4.5]
+  shortest,  ///< the shortest edge
+  smallest,  ///< the smallest circumradius
 };
 
 /// When points are inserted [EG01, 4.5].
 enum class Schedule : std::uint8_t {
-  incremental,  ///< one by one, the worst ratio first
+  incremental,  ///< one by one
   block,        ///< in rounds; spheres of one round are mutually orthogonal or further
   parallel,     ///< in rounds; closed prestars of one round are disjoint
 };
@@ -84,7 +90,15 @@ struct RefineOptions {
   /// Bound on r/l; a simplex above it is of low quality. At least 1, below which termination is not guaranteed
   /// [EG01, 4.4].
   double max_ratio = 2.0;
-  Insert insert = Insert::automatic;
+  Insert insert = Insert::off_sink;
+  /// For the incremental schedule, and for off-sinks in all; rounds of the others take the largest circumradius
+  /// first, as in [EG01, 4.5]. Default: see default_order().
+  std::optional<Order> order = {};
+  /// Off-sinks are at distance reach max_ratio l from the vertices, l the shortest edge of the simplex, unless
+  /// its chain ends before. At least 1. Default: kReach3 in space, kReach2 in the plane [OS, 0].
+  std::optional<double> reach = {};
+  static constexpr double kReach3 = 1.3;
+  static constexpr double kReach2 = 1.5;
   Schedule schedule = Schedule::incremental;
   /// Block and parallel: the paper's own rounds, which test the prestar of every candidate before they choose.
   /// The mesh is the same; the counts show what the pruned rounds save.
@@ -102,9 +116,19 @@ struct RefineOptions {
   std::function<void(const Progress&)> observer = {};
 };
 
-/// @throws InputError if max_ratio is below 1 or not a number, if an option of the boundary is out of its
-///         range, or if `literal` is asked of the incremental schedule.
+/// @throws InputError if max_ratio or reach is below 1 or not a number, if an option of the boundary is out of
+///         its range, or if `literal` is asked of the incremental schedule, or of off-sinks.
 void require_valid(const RefineOptions& options);
+
+/// The one that leaves the fewest simplices: with off-sinks the shortest edge first, in space within a boundary
+/// that is kept the smallest simplex [OS, 0]. Else the worst ratio, as in [EG01, 4.5].
+template <int Dim>
+constexpr Order default_order(Insert insert, bool divides_boundary) {
+  if (insert != Insert::off_sink) return Order::ratio;
+  return Dim == 2 || divides_boundary ? Order::shortest : Order::smallest;
+}
+template <int Dim>
+constexpr double kDefaultReach = Dim == 2 ? RefineOptions::kReach2 : RefineOptions::kReach3;
 
 /// Why a refinement ended.
 enum class Stop : std::uint8_t {
@@ -116,6 +140,7 @@ enum class Stop : std::uint8_t {
 
 /// As options of the program and reports name them.
 const char* name(Insert insert);
+const char* name(Order order);
 const char* name(Schedule schedule);
 const char* name(Stop stop);
 const char* name(BoundaryMode mode);
@@ -213,7 +238,7 @@ struct BoundaryResult {
 
 struct RefineResult {
   Stop stop = Stop::no_candidate;
-  Insert insert = Insert::sink;  ///< what `automatic` stood for
+  Order order = Order::ratio;  ///< that was kept
   std::size_t rounds = 0;
   std::size_t candidates = 0;  ///< points considered, over all rounds
   std::size_t prestars = 0;    ///< prestars searched for, also those given up early

@@ -17,7 +17,7 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       flow_(&flow),
       inserter_(triangulation, domain, flow, options.max_ratio) {
   require_valid(options);
-  if (options_.insert == Insert::automatic) options_.insert = Insert::sink;
+  result_.order = options.order.value_or(default_order<Dim>(options.insert, false));
 }
 
 template <int Dim>
@@ -33,7 +33,7 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       on_segments_before_(conformer.points_on_segments()),
       on_patches_before_(conformer.points_on_patches()) {
   require_valid(options);
-  if (options_.insert == Insert::automatic) options_.insert = Dim == 2 ? Insert::sink : Insert::circumcenter;
+  result_.order = options.order.value_or(default_order<Dim>(options.insert, true));
   conformer.on_removal = [this](Simplex s) { inserter_.remove(s); };
   inserter_.on_new_at_wall = [this](HalfFacet wall) { boundary_->refresh(wall); };
 }
@@ -51,7 +51,6 @@ RefineResult Refiner<Dim>::run() {
   if (conformer_ != nullptr) refine_boundary();
   result_.stop = budget_.stop();
   if (!is_valid_ && !is_bold_ && result_.stop == Stop::no_candidate) result_.stop = Stop::floor;
-  result_.insert = options_.insert;
   result_.prestars = inserter_.num_prestars();
   result_.inserted = num_inserted();
   result_.rejected = inserter_.rejections();
@@ -104,6 +103,38 @@ void Refiner<Dim>::end_round() {
   options_.observer(round_);
 }
 
+// 2^200 keeps the priorities of simplices of any size that doubles see in space behind the gate above 1.
+template <int Dim>
+double Refiner<Dim>::priority(const Shape& shape) const {
+  switch (result_.order) {
+    case Order::ratio:
+      return shape.ratio2();
+    case Order::shortest:
+      return 0x1p200 / shape.shortest2;
+    case Order::smallest:
+      return std::max(1.0, 0x1p200 / shape.radius2);
+  }
+  return 1;
+}
+
+template <int Dim>
+bool Refiner<Dim>::make_candidate(Simplex owner, Candidate<Dim>& candidate) {
+  if (options_.insert != Insert::off_sink) return inserter_.make_center(owner, candidate);
+  return inserter_.make_off_sink(owner, options_.reach.value_or(kDefaultReach<Dim>), candidate);
+}
+
+template <int Dim>
+bool Refiner<Dim>::try_insert(const Candidate<Dim>& candidate) {
+  const bool inserted = inserter_.insert(candidate) == Verdict::inserted;
+  round_.passed_boundary += inserted ? 1 : 0;
+  return inserted;
+}
+
+template <int Dim>
+bool Refiner<Dim>::has_fallback() const {
+  return options_.insert == Insert::sink && options_.fallback == Fallback::circumcenter;
+}
+
 template <int Dim>
 typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s) {
   using Reason = typename Leftover<Dim>::Reason;
@@ -121,8 +152,8 @@ typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s) {
     met[static_cast<std::size_t>(inserter_.rejection(center))] = true;
     return false;
   };
-  if (options_.insert == Insert::sink) visit_sinks(s, meet);
-  if (options_.insert == Insert::circumcenter || options_.fallback == Fallback::circumcenter) meet(s);
+  visit_owners(s, meet);
+  if (has_fallback()) meet(s);
   const auto rejected = [&](Verdict verdict) { return met[static_cast<std::size_t>(verdict)]; };
   if (rejected(Verdict::inserted)) return Reason::untried;
   if (rejected(Verdict::boundary)) return Reason::boundary;

@@ -60,8 +60,8 @@ class Refiner {
   void refine_boundary();
   // Each returns whether it has inserted a point.
   bool divide_for(Simplex s);
-  bool divide_for_center_of(Simplex center, double relaxed2);
-  bool insert_withdrawn_center(Simplex s, double relaxed2);
+  bool divide_for(const Candidate<Dim>& candidate, double relaxed2);
+  bool insert_withdrawn(Candidate<Dim> candidate, double relaxed2);
   double least_distance2(double radius2, double relaxed2) const;
   std::vector<Encroached> encroached_sub_facets(const Candidate<Dim>& candidate);
   bool bring_centers_inside();
@@ -77,20 +77,28 @@ class Refiner {
 
   // Incremental: tries the points for one simplex, one after the other, until one is inserted.
   bool insert_for(Simplex s);
-  bool insert_center_of(Simplex s);
   bool has_candidate(Simplex s);
-  // Calls visit(sink) for the sinks of s, those that the steepest flow reaches first; stops when visit returns
-  // true.
+  bool has_fallback() const;
+  // Calls visit(t) for the simplices whose points are to be inserted for s, until it returns true: with sinks
+  // its sinks, those that the steepest flow reaches first; else s itself.
   template <class Visit>
-  bool visit_sinks(Simplex s, Visit&& visit) {
-    return sink_walk_(*flow_, s, visit);
+  bool visit_owners(Simplex s, Visit&& visit) {
+    return options_.insert == Insert::sink ? sink_walk_(*flow_, s, visit) : visit(s);
   }
+  // Of an owner: its center, or its off-sink.
+  bool make_candidate(Simplex owner, Candidate<Dim>& candidate);
+  bool insert_point_of(Simplex owner);
+  bool insert_center_of(Simplex s);
+  bool try_insert(const Candidate<Dim>& candidate);
+  // The order of work: the highest first; at least 1.
+  double priority(const Shape& shape) const;
 
   // Rounds: candidates by decreasing radius.
   std::vector<Candidate<Dim>> collect(bool own_centers);
   void insert_block(const std::vector<Candidate<Dim>>& candidates);
   void insert_independent(const std::vector<Candidate<Dim>>& candidates);
   void insert_literally(const std::vector<Candidate<Dim>>& candidates);
+  bool is_needless(const Candidate<Dim>& candidate) const;
   bool is_taken(Vertex v) const { return v.slot() < taken_.size() && taken_[v.slot()] == result_.rounds; }
   void take(Vertex v);
 

@@ -9,6 +9,7 @@
 
 #include "core/location.h"
 #include "core/mix.h"
+#include "predicates/input_gate.h"
 #include "refine/refiner.h"
 #include "refine/vector.h"
 
@@ -31,12 +32,12 @@ void Refiner<Dim>::settle_boundary() {
 // leaves.
 template <int Dim>
 void Refiner<Dim>::refine_boundary() {
-  // One step from the default in space, none from that in the plane: further down spirals begin.
-  constexpr double kLeastLambda = Dim == 2 ? HUGE_VAL : 0.29;
+  // Of 17 degrees: further down spirals begin, in the plane at once.
+  constexpr double kLeastLambda = Dim == 2 ? HUGE_VAL : 0.2956;
   constexpr double kStep = 0.6;
   const bool is_given = on_segments_before_ + on_patches_before_ == 0;
   const std::size_t fixed = inserter_.num_low_quality();
-  for (double lambda = conformer_->lambda();; lambda *= kStep) {
+  for (double lambda = conformer_->lambda();; lambda = std::max(lambda * kStep, kLeastLambda)) {
     last_valid_ = boundary_->snapshot();
     classify_remaining();
     if (lambda != conformer_->lambda()) {
@@ -52,8 +53,7 @@ void Refiner<Dim>::refine_boundary() {
         run_incremental(true);
       } while (!is_stopped() && (bring_centers_inside() || expel_flat_simplices()));
     }
-    if (!is_given || inserter_.num_low_quality() <= fixed || lambda * kStep < kLeastLambda || is_stopped())
-      return;
+    if (!is_given || inserter_.num_low_quality() <= fixed || lambda <= kLeastLambda || is_stopped()) return;
   }
 }
 
@@ -67,12 +67,22 @@ double Refiner<Dim>::least_distance2(double radius2, double relaxed2) const {
 template <int Dim>
 bool Refiner<Dim>::divide_for(Simplex s) {
   const double relaxed2 = inserter_.relaxed_length2(s);
-  if (insert_withdrawn_center(s, relaxed2)) return true;
-  if (options_.insert == Insert::sink &&
-      visit_sinks(s, [&](Simplex sink) { return divide_for_center_of(sink, relaxed2); })) {
+  Candidate<Dim> center;
+  const bool has_center = inserter_.make_center(s, center);
+  if (has_center && insert_withdrawn(center, relaxed2)) return true;
+  if (options_.insert != Insert::circumcenter && visit_owners(s, [&](Simplex owner) {
+        Candidate<Dim> candidate;
+        if (inserter_.is_hopeless(owner)) return false;
+        if (make_candidate(owner, candidate) && divide_for(candidate, relaxed2)) return true;
+        if (owner != s) inserter_.give_up(owner);
+        return false;
+      })) {
     return true;
   }
-  return divide_for_center_of(s, relaxed2);
+  if (inserter_.is_hopeless(s)) return false;
+  if (has_center && divide_for(center, relaxed2)) return true;
+  inserter_.give_up(s);
+  return false;
 }
 
 // The sub-facets that the point of a candidate encroaches, the deepest first.
@@ -85,7 +95,7 @@ auto Refiner<Dim>::encroached_sub_facets(const Candidate<Dim>& candidate) -> std
     const Point<Dim> center = facet_center<Dim>(corners);
     const double radius2 = facet_shape<Dim>(corners).radius2;
     result.push_back(
-        {squared_distance(candidate.center, center) / radius2, hash_points<Dim>(corners), f, center});
+        {squared_distance(candidate.point, center) / radius2, hash_points<Dim>(corners), f, center});
   }
   std::sort(result.begin(), result.end(), [](const Encroached& a, const Encroached& b) {
     return a.depth2 != b.depth2 ? a.depth2 < b.depth2 : a.tie < b.tie;
@@ -98,11 +108,9 @@ auto Refiner<Dim>::encroached_sub_facets(const Candidate<Dim>& candidate) -> std
 // the sphere of s, or it would not be inserted; and no nearer to a vertex than a point on the boundary would
 // be, so the proof of termination holds for it, too.
 template <int Dim>
-bool Refiner<Dim>::insert_withdrawn_center(Simplex s, double relaxed2) {
+bool Refiner<Dim>::insert_withdrawn(Candidate<Dim> candidate, double relaxed2) {
   constexpr int kSteps = 4;
   constexpr double kOut = 1 + 0x1p-20;
-  Candidate<Dim> candidate;
-  if (!inserter_.make_candidate(s, candidate)) return false;
   candidate.least2 = least_distance2(candidate.radius2, relaxed2);
   for (int step = 0; step < kSteps; ++step) {
     const std::vector<Encroached> encroached = encroached_sub_facets(candidate);
@@ -110,8 +118,9 @@ bool Refiner<Dim>::insert_withdrawn_center(Simplex s, double relaxed2) {
     const Encroached& deepest = encroached.front();
     const double scale = kOut / std::sqrt(deepest.depth2);
     for (std::size_t k = 0; k < Dim; ++k) {
-      candidate.center[k] = deepest.center[k] + scale * (candidate.center[k] - deepest.center[k]);
+      candidate.point[k] = deepest.center[k] + scale * (candidate.point[k] - deepest.center[k]);
     }
+    candidate.point = on_grid<Dim>(candidate.point);
     ++round_.candidates;
     if (inserter_.insert_other(candidate) == Verdict::inserted) return true;
   }
@@ -119,26 +128,18 @@ bool Refiner<Dim>::insert_withdrawn_center(Simplex s, double relaxed2) {
 }
 
 template <int Dim>
-bool Refiner<Dim>::divide_for_center_of(Simplex s, double relaxed2) {
-  if (inserter_.is_hopeless(s)) return false;
-  Candidate<Dim> candidate;
-  if (inserter_.make_candidate(s, candidate)) {
-    const std::vector<Encroached> encroached = encroached_sub_facets(candidate);
-    if (encroached.empty()) {
-      // Perhaps it was refused because of what has been divided since.
-      inserter_.reconsider(s);
-      return insert_center_of(s);
-    }
-    // In the plane: what a shell at a third of a segment leaves of the radius of a center that encroaches it.
-    constexpr double kShell2 = 0.22;
-    const double least2 = least_distance2(candidate.radius2, Dim == 2 ? kShell2 * candidate.radius2 : relaxed2);
-    for (const Encroached& e : encroached) {
-      if (!conformer_->split(e.facet, least2)) continue;
-      settle_boundary();
-      return true;
-    }
+bool Refiner<Dim>::divide_for(const Candidate<Dim>& candidate, double relaxed2) {
+  const std::vector<Encroached> encroached = encroached_sub_facets(candidate);
+  // Perhaps it was refused because of what has been divided since.
+  if (encroached.empty()) return try_insert(candidate);
+  // In the plane: what a shell at a third of a segment leaves of the radius of a center that encroaches it.
+  constexpr double kShell2 = 0.22;
+  const double least2 = least_distance2(candidate.radius2, Dim == 2 ? kShell2 * candidate.radius2 : relaxed2);
+  for (const Encroached& e : encroached) {
+    if (!conformer_->split(e.facet, least2)) continue;
+    settle_boundary();
+    return true;
   }
-  inserter_.give_up(s);
   return false;
 }
 
@@ -224,7 +225,7 @@ bool Refiner<Dim>::insert_center_of_circle(Simplex s) {
     center = facet_center<Dim>(corners);
   }
   Candidate<Dim> candidate = inserter_.describe(s);
-  candidate.center = center;
+  candidate.point = on_grid<Dim>(center);
   ++round_.candidates;
   if (inserter_.insert_other(candidate) == Verdict::inserted) return true;
   const std::vector<HalfFacet> walls = inserter_.encroached_walls(candidate);

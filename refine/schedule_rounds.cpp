@@ -11,7 +11,8 @@ namespace {
 
 template <int Dim>
 typename SphereSet<Dim>::Sphere sphere_of(const Candidate<Dim>& candidate) {
-  return {candidate.corners, candidate.center, candidate.radius2};
+  using Exact = std::optional<std::array<Point<Dim>, Dim + 1>>;
+  return {candidate.point, candidate.radius2, candidate.is_center ? Exact(candidate.corners) : Exact()};
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ void Refiner<Dim>::run_rounds() {
     }
     if (!candidates.empty() && num_inserted() > before) {
       own_centers = options_.insert == Insert::circumcenter;
-    } else if (own_centers || options_.fallback == Fallback::none) {
+    } else if (own_centers || !has_fallback()) {
       return;
     } else {
       own_centers = true;
@@ -46,51 +47,59 @@ void Refiner<Dim>::run_rounds() {
   }
 }
 
-// The centers of the simplices of low quality, or the sinks that their flow reaches: each sink once, and one of
-// those that have the same center. By decreasing radius.
+// The points of the simplices of low quality, or of the sinks that their flow reaches; of those that fall
+// together one. The largest circumradius first, but off-sinks in the order of the simplices for which they are.
 template <int Dim>
 std::vector<Candidate<Dim>> Refiner<Dim>::collect(bool own_centers) {
   std::vector<Simplex> low = inserter_.low_quality();
   std::erase_if(low, [this](Simplex s) { return inserter_.is_excused(s); });
-  const std::vector<Simplex> simplices = own_centers ? low : flow_->sinks_reached(low);
+  const bool at_sinks = options_.insert == Insert::sink && !own_centers;
   std::vector<Candidate<Dim>> candidates;
-  for (const Simplex s : simplices) {
+  for (const Simplex s : at_sinks ? flow_->sinks_reached(low) : low) {
     if (!inserter_.domain().is_inside(s)) continue;
     if (!options_.literal && inserter_.is_rejected(s)) continue;
     Candidate<Dim> candidate;
-    if (inserter_.make_candidate(s, candidate)) candidates.push_back(candidate);
+    if (!(own_centers ? inserter_.make_center(s, candidate) : make_candidate(s, candidate))) continue;
+    if (!candidate.is_center) candidate.priority = priority(shape<Dim>(inserter_.complex().corners(s)));
+    candidates.push_back(candidate);
   }
-  const auto by_tie = [](const Candidate<Dim>& a, const Candidate<Dim>& b) {
+  const auto comes_before = [](const Candidate<Dim>& a, const Candidate<Dim>& b) {
+    if (a.priority != b.priority) return a.priority > b.priority;
     return a.tie != b.tie ? a.tie < b.tie : a.corners < b.corners;
   };
   if (!own_centers) {
     std::sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
-      return a.center != b.center ? a.center < b.center : by_tie(a, b);
+      return a.point != b.point ? a.point < b.point : comes_before(a, b);
     });
     const auto end = std::unique(candidates.begin(), candidates.end(),
-                                 [](const auto& a, const auto& b) { return a.center == b.center; });
+                                 [](const auto& a, const auto& b) { return a.point == b.point; });
     candidates.erase(end, candidates.end());
   }
-  std::sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
-    return a.radius2 != b.radius2 ? a.radius2 > b.radius2 : by_tie(a, b);
-  });
+  std::sort(candidates.begin(), candidates.end(), comes_before);
   return candidates;
+}
+
+// Whether an off-sink has lost its owner to another point of the round.
+template <int Dim>
+bool Refiner<Dim>::is_needless(const Candidate<Dim>& candidate) const {
+  return !candidate.is_center && !inserter_.is_current(candidate.owner, candidate.owner_birth);
 }
 
 // A maximal set of candidates whose spheres are mutually orthogonal or further. One that passes the boundary
 // test is inserted at once: the test of a later one then sees the complex with it, which changes no verdict
-// (SteinerInserter), and its own simplex may be gone, but not the sphere.
+// (SteinerInserter), and its own simplex may be gone, but not the sphere. Of off-sinks the spheres reach to the
+// nearest vertices.
 template <int Dim>
 void Refiner<Dim>::insert_block(const std::vector<Candidate<Dim>>& candidates) {
   SphereSet<Dim> block(inserter_.triangulation().predicates());
   for (const Candidate<Dim>& candidate : candidates) {
+    if (is_needless(candidate)) continue;
     if (!may_continue()) return;
     ++round_.candidates;
     const typename SphereSet<Dim>::Sphere sphere = sphere_of(candidate);
     if (!block.is_orthogonal_to_all(sphere)) {
       ++dependent_;
-    } else if (inserter_.insert(candidate) == Verdict::inserted) {
-      ++round_.passed_boundary;
+    } else if (try_insert(candidate)) {
       block.add(sphere);
     }
   }
@@ -112,6 +121,7 @@ void Refiner<Dim>::take(Vertex v) {
 template <int Dim>
 void Refiner<Dim>::insert_independent(const std::vector<Candidate<Dim>>& candidates) {
   for (const Candidate<Dim>& candidate : candidates) {
+    if (is_needless(candidate)) continue;
     if (!may_continue()) return;
     ++round_.candidates;
     if (!inserter_.is_current(candidate.simplex, candidate.birth)) {

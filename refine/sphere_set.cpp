@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/mix.h"
+#include "refine/vector.h"
 
 namespace sinkmesh {
 namespace {
@@ -33,6 +34,14 @@ std::size_t SphereSet<Dim>::CellHash::operator()(const Cell& cell) const {
 }
 
 template <int Dim>
+bool SphereSet<Dim>::is_orthogonal(const Sphere& a, const Sphere& b) const {
+  if (a.corners && b.corners) {
+    return predicates_->orthogonality(pointers<Dim>(*a.corners), pointers<Dim>(*b.corners)) >= 0;
+  }
+  return squared_distance(a.center, b.center) >= a.radius2 + b.radius2;
+}
+
+template <int Dim>
 bool SphereSet<Dim>::is_orthogonal_to_all(const Sphere& sphere) const {
   for (const Level& level : levels_) {
     // Closer than orthogonal means distance < sqrt(r^2 + R^2) < r + R; the factor covers the rounding of both
@@ -47,10 +56,7 @@ bool SphereSet<Dim>::is_orthogonal_to_all(const Sphere& sphere) const {
     for (Cell cell = low;;) {
       if (const auto found = level.cells.find(cell); found != level.cells.end()) {
         for (const std::uint32_t i : found->second) {
-          if (predicates_->orthogonality(pointers<Dim>(sphere.corners), pointers<Dim>(spheres_[i].corners)) <
-              0) {
-            return false;
-          }
+          if (!is_orthogonal(sphere, spheres_[i])) return false;
         }
       }
       std::size_t k = 0;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -12,17 +13,18 @@
 
 namespace sinkmesh {
 
-/// Circumspheres of simplices, kept by their corners, so that they outlive them. The test is exact; a grid for
-/// each binade of radii only narrows down which spheres are tested.
+/// Circumspheres of simplices, kept by their corners, so that they outlive them: between two of these the test
+/// is exact. Other spheres are given by their rounded centers and radii. A grid for each binade of radii only
+/// narrows down which spheres are tested.
 template <int Dim>
 class SphereSet {
  public:
   explicit SphereSet(const Predicates<Dim>& predicates) : predicates_(&predicates) {}
 
   struct Sphere {
-    std::array<Point<Dim>, Dim + 1> corners;
     Point<Dim> center;  ///< rounded, in [-2, 2]^Dim
     double radius2;     ///< rounded
+    std::optional<std::array<Point<Dim>, Dim + 1>> corners = {};
   };
 
   /// Whether the sphere is orthogonal to or further from every sphere in the set. Fast if no sphere in the set
@@ -39,6 +41,8 @@ class SphereSet {
     int exponent;  // of the radii: in [2^(exponent-1), 2^exponent), which is also the size of a cell
     std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells;
   };
+
+  bool is_orthogonal(const Sphere& a, const Sphere& b) const;
 
   const Predicates<Dim>* predicates_;
   std::vector<Sphere> spheres_;

@@ -9,6 +9,7 @@
 #include "core/mix.h"
 #include "predicates/circumcenter.h"
 #include "predicates/constructions.h"
+#include "predicates/input_gate.h"
 #include "predicates/predicates.h"
 #include "refine/quality.h"
 #include "refine/vector.h"
@@ -97,7 +98,7 @@ void SteinerInserter<Dim>::add(Simplex s) {
     notes_[s.index()] |= kExcused;
     return;
   }
-  if (on_low_quality) on_low_quality(s, ratio2);
+  if (on_low_quality) on_low_quality(s, shape);
 }
 
 template <int Dim>
@@ -115,6 +116,7 @@ void SteinerInserter<Dim>::for_each_shortest_edge(Simplex s, double shortest2, V
 // The square of L [BR, 6].
 template <int Dim>
 double SteinerInserter<Dim>::relaxed_length2(Simplex s, double shortest2) const {
+  if (rules_.features == nullptr) return shortest2;
   // Below a ratio of 2 a point on a segment may be nearer than the edge is long.
   const double least = rules_.floor * std::max(1.0, 2 / std::sqrt(max_ratio2_));
   double length2 = std::max(shortest2, least * least);
@@ -175,10 +177,10 @@ std::vector<HalfFacet> SteinerInserter<Dim>::encroached_walls(const Candidate<Di
     }
   };
   std::vector<HalfFacet> walls;
-  if (!is_strictly_inside(complex().corners(candidate.simplex), candidate.center)) return walls;
-  triangulation_->announce(candidate.center);
-  triangulation_->grow_prestar(cavity_, candidate.center, candidate.simplex,
-                               Collector{{}, this, &candidate.center, &walls});
+  if (!is_strictly_inside(complex().corners(candidate.simplex), candidate.point)) return walls;
+  triangulation_->announce(candidate.point);
+  triangulation_->grow_prestar(cavity_, candidate.point, candidate.simplex,
+                               Collector{{}, this, &candidate.point, &walls});
   triangulation_->release(cavity_);
   return walls;
 }
@@ -191,22 +193,42 @@ std::uint64_t SteinerInserter<Dim>::tie(Simplex s) const {
 template <int Dim>
 Candidate<Dim> SteinerInserter<Dim>::describe(Simplex s) const {
   Candidate<Dim> candidate;
-  candidate.simplex = s;
-  candidate.birth = birth(s);
+  candidate.owner = candidate.simplex = s;
+  candidate.owner_birth = candidate.birth = birth(s);
   candidate.corner = complex().corner(s, 0);
   const Corners<Dim> corners = complex().corners(s);
   for (std::size_t i = 0; i <= Dim; ++i) candidate.corners[i] = *corners[i];
   candidate.radius2 = shape<Dim>(corners).radius2;
+  candidate.priority = candidate.radius2;
   candidate.tie = tie(s);
   return candidate;
 }
 
 template <int Dim>
-bool SteinerInserter<Dim>::make_candidate(Simplex s, Candidate<Dim>& candidate) {
+bool SteinerInserter<Dim>::make_center(Simplex s, Candidate<Dim>& candidate) {
   candidate = describe(s);
-  if (circumcenter(complex().corners(s), candidate.center)) return true;
+  if (circumcenter(complex().corners(s), candidate.point)) return true;
   refuse(candidate, Verdict::crossing);
   return false;
+}
+
+template <int Dim>
+bool SteinerInserter<Dim>::make_off_sink(Simplex s, double reach, Candidate<Dim>& candidate) {
+  const double length2 = relaxed_length2(s);
+  const std::optional<OffSink<Dim>> at = off_sink_walk_(*flow_, s, reach * reach * max_ratio2_ * length2);
+  candidate = describe(at ? at->simplex : s);
+  candidate.owner = s;
+  candidate.owner_birth = birth(s);
+  candidate.is_center = false;
+  candidate.tie = tie(s);
+  candidate.least2 = length2;
+  if (!at) {
+    refuse(candidate, Verdict::crossing);
+    return false;
+  }
+  candidate.point = at->point;
+  candidate.radius2 = at->distance2;
+  return true;
 }
 
 template <int Dim>
@@ -220,6 +242,7 @@ Point<Dim> SteinerInserter<Dim>::center_or_direction(Simplex s) {
     // Coordinates are below 2; one of them ends between 2 and 4.
     for (std::size_t k = 0; k < Dim; ++k) center[k] = from[k] + center[k] * (4 / reach);
   }
+  center = on_grid<Dim>(center);
   triangulation_->announce(center);
   return center;
 }
@@ -229,12 +252,12 @@ template <int Dim>
 Verdict SteinerInserter<Dim>::locate(const Candidate<Dim>& candidate, Simplex& start) {
   if (is_current(candidate.simplex, candidate.birth)) {
     start = candidate.simplex;
-    return is_strictly_inside(complex().corners(start), candidate.center) ? Verdict::inserted
-                                                                          : Verdict::separation;
+    return is_strictly_inside(complex().corners(start), candidate.point) ? Verdict::inserted
+                                                                         : Verdict::separation;
   }
-  triangulation_->announce(candidate.center);
+  triangulation_->announce(candidate.point);
   const Location<Dim> at =
-      triangulation_->locate(candidate.center, complex().incident_simplex(candidate.corner));
+      triangulation_->locate(candidate.point, complex().incident_simplex(candidate.corner));
   start = at.simplex;
   if (at.is_at_corner()) return Verdict::separation;
   return domain_->is_inside(start) ? Verdict::inserted : Verdict::crossing;
@@ -261,7 +284,7 @@ Verdict SteinerInserter<Dim>::insert_other(const Candidate<Dim>& candidate) {
   Simplex start;
   Verdict verdict = locate(candidate, start);
   if (verdict == Verdict::inserted) verdict = grow(candidate, start, [](Vertex) { return false; });
-  if (verdict == Verdict::inserted) commit(candidate.center);
+  if (verdict == Verdict::inserted) commit(candidate.point);
   return verdict;
 }
 
@@ -283,9 +306,9 @@ Verdict SteinerInserter<Dim>::refuse(const Candidate<Dim>& candidate, Verdict ve
       ++rejections_.dependent;
       return verdict;
   }
-  if (is_current(candidate.simplex, candidate.birth)) {
+  if (is_current(candidate.owner, candidate.owner_birth)) {
     constexpr unsigned kOthers = (1U << kVerdictShift) - 1;
-    std::uint8_t& notes = notes_[candidate.simplex.index()];
+    std::uint8_t& notes = notes_[candidate.owner.index()];
     notes = static_cast<std::uint8_t>((notes & kOthers) | static_cast<unsigned>(verdict) << kVerdictShift);
   }
   return verdict;

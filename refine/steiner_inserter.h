@@ -15,23 +15,28 @@
 #include "refine/boundary_features.h"
 #include "refine/domain.h"
 #include "refine/flow.h"
+#include "refine/off_sink.h"
 #include "refine/options.h"
 #include "refine/quality.h"
 #include "refine/vector.h"
 
 namespace sinkmesh {
 
-/// A point that may be inserted: the circumcenter of a simplex.
+/// A point that may be inserted: the circumcenter of a simplex, or a point on its chain.
 template <int Dim>
 struct Candidate {
-  Simplex simplex;          ///< whose center it is
-  std::uint32_t birth = 0;  ///< of the simplex, when the candidate was made
-  Vertex corner;            ///< of the simplex; outlives it
-  Point<Dim> center{};      ///< exact, rounded once
-  std::array<Point<Dim>, Dim + 1> corners{};
-  double radius2 = 0;
+  Simplex owner;                  ///< for which it was made; a refusal is noted there
+  std::uint32_t owner_birth = 0;  ///< when the candidate was made
+  Simplex simplex;          ///< strictly inside whose circumsphere it lies; the owner, if it is its center
+  std::uint32_t birth = 0;  ///< of that simplex
+  Vertex corner;            ///< of that simplex; outlives it
+  std::array<Point<Dim>, Dim + 1> corners{};  ///< of that simplex
+  Point<Dim> point{};                         ///< a center is exact, rounded once
+  bool is_center = true;                      ///< of the circumsphere of `simplex`
+  double radius2 = 0;                         ///< squared distance from the nearest vertices
+  double priority = 0;                        ///< in a round the highest comes first
   double least2 = 0;      ///< the least squared distance from all vertices, where delta is not enough
-  std::uint64_t tie = 0;  ///< orders candidates of equal radius; a function of the geometry
+  std::uint64_t tie = 0;  ///< orders candidates of equal priority; a function of the geometry
 };
 
 /// What became of a candidate.
@@ -101,14 +106,14 @@ class SteinerInserter {
   bool is_excused(Simplex s) const { return notes_[s.index()] & kExcused; }
   /// Judges anew who is excused.
   void set_lambda(double lambda);
-  /// The square of L: see the constructor.
+  /// The square of L: see the constructor; of a fixed boundary the shortest edge itself.
   double relaxed_length2(Simplex s) const {
     return relaxed_length2(s, shape<Dim>(complex().corners(s)).shortest2);
   }
   /// Why s is excused: a rung among its shortest edges, or, if the excuse is inherited, the one between a
   /// vertex and its culprit.
   std::optional<Rung> rung(Simplex s) const;
-  /// Whether the center of s has been refused. It is not tried again while s lives.
+  /// Whether the point of s has been refused. It is not tried again while s lives.
   bool is_rejected(Simplex s) const { return rejection(s) != Verdict::inserted; }
   /// The reason, or `inserted` for none.
   Verdict rejection(Simplex s) const { return static_cast<Verdict>(notes_[s.index()] >> kVerdictShift & 7); }
@@ -123,7 +128,7 @@ class SteinerInserter {
   const std::vector<Simplex>& low_quality();
 
   /// Called for each simplex of low quality when it is born; may be empty.
-  std::function<void(Simplex, double ratio2)> on_low_quality;
+  std::function<void(Simplex, const Shape&)> on_low_quality;
 
   // -- boundary points, which someone else inserts
 
@@ -154,10 +159,14 @@ class SteinerInserter {
 
   // -- candidates
 
-  /// All but the center.
+  /// All but the point.
   Candidate<Dim> describe(Simplex s) const;
-  /// @return false, and the center of s is rejected, if it is too far away to be a Steiner point.
-  bool make_candidate(Simplex s, Candidate<Dim>& candidate);
+  /// The center of s.
+  /// @return false, and s is rejected, if it is too far away to be a Steiner point.
+  bool make_center(Simplex s, Candidate<Dim>& candidate);
+  /// The point on the chain of s at distance reach max_ratio L, or the end of the chain.
+  /// @return false, and s is rejected, if the chain leads outside.
+  bool make_off_sink(Simplex s, double reach, Candidate<Dim>& candidate);
 
   /// The center of a simplex, or, if it is too far away, a point on the way there that is not inside the hull.
   /// The predicates know it.
@@ -202,7 +211,7 @@ class SteinerInserter {
  private:
   // A sum of Dim squares of rounded differences has a relative error below (Dim+2) 2^-53.
   static constexpr double kDown = 1 - 0x1p-50;
-  // Bits of a note: low quality, excused, hopeless, and three for the verdict on the center.
+  // Bits of a note: low quality, excused, hopeless, and three for the verdict on the point.
   static constexpr std::uint8_t kLow = 1;
   static constexpr std::uint8_t kExcused = 2;
   static constexpr std::uint8_t kHopeless = 4;
@@ -230,8 +239,9 @@ class SteinerInserter {
   BoundaryRules<Dim> rules_;
 
   Cavity<Dim> cavity_;
+  OffSinkWalk<Dim> off_sink_walk_;
   std::vector<std::uint32_t> birth_;
-  std::vector<std::uint8_t> notes_;  // low quality, and the verdict on the center
+  std::vector<std::uint8_t> notes_;  // low quality, and the verdict on the point
   std::uint32_t births_ = 0;
   std::vector<std::pair<Simplex, std::uint32_t>> low_;  // and births; some may have died
   std::vector<Simplex> low_alive_;
@@ -251,7 +261,7 @@ class SteinerInserter<Dim>::Guide {
  public:
   Guide(const SteinerInserter& inserter, const Candidate<Dim>& candidate, IsTaken& is_taken)
       : inserter_(&inserter),
-        x_(&candidate.center),
+        x_(&candidate.point),
         least2_(std::max(inserter.separation2_, candidate.least2)),
         is_taken_(&is_taken) {}
 
@@ -310,8 +320,8 @@ Verdict SteinerInserter<Dim>::grow(const Candidate<Dim>& candidate, Simplex star
   Guide<std::remove_reference_t<IsTaken>> guide(*this, candidate, is_taken);
   if (!guide.start(start)) return guide.verdict();
   ++num_prestars_;
-  triangulation_->announce(candidate.center);
-  const bool finished = triangulation_->grow_prestar(cavity_, candidate.center, start, guide);
+  triangulation_->announce(candidate.point);
+  const bool finished = triangulation_->grow_prestar(cavity_, candidate.point, start, guide);
   const Verdict verdict = guide.verdict();
   if (finished && verdict != Verdict::inserted) triangulation_->release(cavity_);
   return verdict;
@@ -324,7 +334,7 @@ Verdict SteinerInserter<Dim>::insert(const Candidate<Dim>& candidate, IsTaken&& 
   Verdict verdict = locate(candidate, start);
   if (verdict == Verdict::inserted) verdict = grow(candidate, start, is_taken);
   if (verdict != Verdict::inserted) return refuse(candidate, verdict);
-  commit(candidate.center);
+  commit(candidate.point);
   return verdict;
 }
 

@@ -26,7 +26,7 @@ struct Combination {
 };
 std::vector<Combination> combinations() {
   std::vector<Combination> result;
-  for (const Insert insert : {Insert::sink, Insert::circumcenter}) {
+  for (const Insert insert : {Insert::off_sink, Insert::sink, Insert::circumcenter}) {
     for (const Schedule schedule : {Schedule::incremental, Schedule::block, Schedule::parallel}) {
       result.push_back({std::string(name(insert)) + " " + name(schedule), insert, schedule});
     }

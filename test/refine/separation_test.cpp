@@ -171,7 +171,7 @@ TYPED_TEST(SeparationTest, HoldsAfterEveryScheduleAndBoundsTheNumberOfVertices) 
   std::size_t inserted = 0;
   for (const Surface<kDim>& surface : surfaces<kDim>()) {
     const Rational delta2 = shortest_distance2<kDim>(surface.points);
-    for (const Insert insert : {Insert::sink, Insert::circumcenter}) {
+    for (const Insert insert : {Insert::off_sink, Insert::sink, Insert::circumcenter}) {
       for (const Schedule schedule : {Schedule::incremental, Schedule::block, Schedule::parallel}) {
         for (const double ratio : {1.0, 1.3}) {
           SCOPED_TRACE(testing::Message()

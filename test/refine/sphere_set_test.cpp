@@ -17,11 +17,12 @@ SphereSet<3>::Sphere random_sphere(std::mt19937_64& random, double size) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (;;) {
     SphereSet<3>::Sphere sphere;
+    std::array<Point3, 4>& points = sphere.corners.emplace();
     const Point3 at = {uniform(random), uniform(random), uniform(random)};
-    for (Point3& p : sphere.corners) {
+    for (Point3& p : points) {
       for (std::size_t k = 0; k < 3; ++k) p[k] = at[k] * 0.9 + size * 0.1 * uniform(random);
     }
-    const Corners<3> corners = {&sphere.corners[0], &sphere.corners[1], &sphere.corners[2], &sphere.corners[3]};
+    const Corners<3> corners = {&points[0], &points[1], &points[2], &points[3]};
     if (!circumcenter(corners, sphere.center)) continue;
     sphere.radius2 = shape<3>(corners).radius2;
     return sphere;
@@ -40,7 +41,7 @@ TEST(SphereSet, AgreesWithTestingAllPairs) {
   std::vector<SphereSet<3>::Sphere> kept;
   for (const auto& sphere : spheres) {
     const bool expected = std::all_of(kept.begin(), kept.end(), [&](const auto& other) {
-      return orthogonality(sphere.corners, other.corners) >= 0;
+      return orthogonality(*sphere.corners, *other.corners) >= 0;
     });
     ASSERT_EQ(set.is_orthogonal_to_all(sphere), expected);
     if (!expected) continue;
@@ -59,6 +60,15 @@ TEST(SphereSet, RefusesACopy) {
   EXPECT_TRUE(set.is_orthogonal_to_all(sphere));
   set.add(sphere);
   EXPECT_FALSE(set.is_orthogonal_to_all(sphere));
+}
+
+TEST(SphereSet, TakesSpheresWithoutCornersAsTheyAreRounded) {
+  const Predicates<3> predicates({{-2, -2, -2}, {2, 2, 2}}, 121);
+  SphereSet<3> set(predicates);
+  set.add({{0, 0, 0}, 9.0 / 64, {}});
+  EXPECT_TRUE(set.is_orthogonal_to_all({{0.625, 0, 0}, 16.0 / 64, {}}));  // 3, 4, 5 eighths
+  EXPECT_FALSE(set.is_orthogonal_to_all({{std::nextafter(0.625, 0), 0, 0}, 16.0 / 64, {}}));
+  EXPECT_FALSE(set.is_orthogonal_to_all({{0.625, 0, 0}, std::nextafter(16.0 / 64, 1), {}}));
 }
 
 }  // namespace

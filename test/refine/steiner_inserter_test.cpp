@@ -48,10 +48,10 @@ class Bench {
   /// x as the candidate of a simplex, which need not have its center there.
   Candidate<2> candidate(Simplex s, const Point2& x) const {
     Candidate<2> c;
-    c.simplex = s;
-    c.birth = inserter_->birth(s);
+    c.owner = c.simplex = s;
+    c.owner_birth = c.birth = inserter_->birth(s);
     c.corner = triangulation_.complex().corner(s, 0);
-    c.center = gated(x);
+    c.point = gated(x);
     return c;
   }
 

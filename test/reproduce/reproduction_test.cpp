@@ -78,6 +78,7 @@ TEST(Study, TellsWhatRefinementDid) {
   SurfaceMesher3 mesher(surface);
   mesher.find_domain();
   RefineOptions options;
+  options.insert = Insert::sink;
   options.schedule = Schedule::parallel;
   const RefineResult expected = mesher.refine(options);
   EXPECT_EQ(run.hash, mesher.hash());

@@ -8,7 +8,7 @@ import exact
 import shapes
 from program import TETRAHEDRON, ProgramTest, ellipsoid, off
 
-INSERTS = ("sink", "circumcenter")
+INSERTS = ("offsink", "sink", "circumcenter")
 SCHEDULES = ("incremental", "block", "parallel")
 
 CUBE = shapes.cube()

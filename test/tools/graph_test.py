@@ -10,7 +10,7 @@ import shapes
 from program import ProgramTest
 
 USA = pathlib.Path(__file__).parent.parent / "data" / "paper" / "usa.poly"
-INSERTS = ("sink", "circumcenter")
+INSERTS = ("offsink", "sink", "circumcenter")
 SCHEDULES = ("incremental", "block", "parallel")
 
 GRAPHS = {

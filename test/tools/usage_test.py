@@ -13,7 +13,7 @@ class Usage(ProgramTest):
 
     def test_help_of_refine_names_every_option(self):
         text = self.succeed("refine", "--help")
-        for option in ("--output", "--ratio", "--insert", "--schedule", "--literal", "--fallback", "--threads",
+        for option in ("--output", "--ratio", "--insert", "--reach", "--order", "--schedule", "--literal", "--fallback", "--threads",
                        "--max-vertices", "--time-limit", "--report", "--history", "--quiet", "--format", "--boundary",
                        "--small-angle", "--flat", "--min-angle"):
             self.assertIn(option, text)
@@ -38,6 +38,11 @@ class Usage(ProgramTest):
             ["refine", surface, *out, "--schedule", "random"],
             ["refine", surface, *out, "--fallback", "maybe"],
             ["refine", surface, *out, "--literal"],
+            ["refine", surface, *out, "--literal", "--insert", "sink"],
+            ["refine", surface, *out, "--literal", "--schedule", "block"],
+            ["refine", surface, *out, "--order", "largest"],
+            ["refine", surface, *out, "--reach", "0.99"],
+            ["refine", surface, *out, "--reach", "far"],
             ["refine", surface, *out, "--boundary", "peel"],
             ["refine", surface, *out, "--small-angle", "0"],
             ["refine", surface, *out, "--small-angle", "60.5"],

@@ -24,8 +24,13 @@ namespace sinkmesh::program {
 namespace {
 
 Insert insert_named(const std::string& name) {
-  if (name == "auto") return Insert::automatic;
+  if (name == "offsink") return Insert::off_sink;
   return name == "sink" ? Insert::sink : Insert::circumcenter;
+}
+std::optional<Order> order_named(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  if (name == "ratio") return Order::ratio;
+  return name == "shortest" ? Order::shortest : Order::smallest;
 }
 Schedule schedule_named(const std::string& name) {
   if (name == "incremental") return Schedule::incremental;
@@ -133,6 +138,8 @@ class RefineRun {
     RefineOptions options;
     options.max_ratio = ratio_;
     options.insert = insert_named(arguments_.insert);
+    options.order = order_named(arguments_.order);
+    options.reach = arguments_.reach;
     options.schedule = schedule_named(arguments_.schedule);
     options.literal = arguments_.literal;
     options.fallback = fallback_named(arguments_.fallback);
@@ -180,7 +187,9 @@ class RefineRun {
                        {"rounded_points", triangulation.gate().rounded_points()}};
     report["options"] = {
         {"ratio", ratio_},
-        {"insert", name(result_.insert)},
+        {"insert", arguments_.insert},
+        {"order", name(result_.order)},
+        {"reach", arguments_.reach.value_or(kDefaultReach<Dim>)},
         {"schedule", arguments_.schedule},
         {"literal", arguments_.literal},
         {"fallback", arguments_.fallback},
@@ -282,16 +291,30 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   command
       ->add_option(
           "--insert", arguments.insert,
-          "Which points to insert; auto: circumcenters in space where the boundary is divided, else sinks")
-      ->check(CLI::IsMember({"auto", "sink", "circumcenter"}))
+          "Which points to insert: the center of the simplex to which the flow leads, a point on the way there "
+          "that is just far enough from all vertices, or the center of the simplex itself")
+      ->check(CLI::IsMember({"offsink", "sink", "circumcenter"}))
       ->capture_default_str();
+  command
+      ->add_option("--reach", arguments.reach,
+                   "Distance of an off-sink from the vertices, in units of the ratio times the shortest edge")
+      ->check(CLI::Range(1.0, 1e6))
+      ->type_name("FACTOR")
+      ->default_str("1.3; in the plane 1.5");
+  command
+      ->add_option("--order", arguments.order,
+                   "Which simplex comes first: the largest ratio, the shortest edge, the smallest circumradius")
+      ->check(CLI::IsMember({"ratio", "shortest", "smallest"}))
+      ->default_str("shortest, in space within fixed facets smallest; without off-sinks ratio");
   command->add_option("--schedule", arguments.schedule, "How many at a time")
       ->check(CLI::IsMember({"incremental", "block", "parallel"}))
       ->capture_default_str();
-  command->add_flag(
-      "--literal", arguments.literal,
-      "With --schedule block or parallel: rounds as published, without pruning; the same mesh, more slowly");
-  command->add_option("--fallback", arguments.fallback, "What to do where no sink can be inserted")
+  command->add_flag("--literal", arguments.literal,
+                    "With --schedule block or parallel, --insert sink or circumcenter: rounds as published, "
+                    "without pruning; the same mesh, more slowly");
+  command
+      ->add_option("--fallback", arguments.fallback,
+                   "With --insert sink: what to do where no sink can be inserted")
       ->check(CLI::IsMember({"none", "circumcenter"}))
       ->capture_default_str();
   command
@@ -341,8 +364,8 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
 }
 
 ExitStatus run(const RefineArguments& arguments) {
-  if (arguments.literal && arguments.schedule == "incremental") {
-    throw UsageError("--literal goes with --schedule block or parallel only");
+  if (arguments.literal && (arguments.schedule == "incremental" || arguments.insert == "offsink")) {
+    throw UsageError("--literal goes with --insert sink or circumcenter and --schedule block or parallel only");
   }
   if (arguments.min_angle && arguments.ratio) {
     throw UsageError("--min-angle is another way of saying --ratio: give one of them");

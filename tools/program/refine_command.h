@@ -18,7 +18,9 @@ struct RefineArguments {
   FileArguments files;
   std::optional<double> ratio;      // by dimension
   std::optional<double> min_angle;  // the same in degrees, in the plane
-  std::string insert = "auto";
+  std::string insert = "offsink";
+  std::string order;
+  std::optional<double> reach;
   std::string schedule = "incremental";
   std::string fallback = "none";
   std::string boundary = "auto";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refine/worst_first_queue.h"
+#include "refine/urgency_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 namespace sinkmesh {
 namespace {
 
-using Entry = WorstFirstQueue::Entry;
+using Entry = UrgencyQueue::Entry;
 
 // A multiset is the oracle: pushes and pops in random order, with entries that die while they wait.
-TEST(WorstFirstQueue, PopsLivingEntriesByPriorityThenTie) {
+TEST(UrgencyQueue, PopsLivingEntriesByPriorityThenTie) {
   std::mt19937_64 random(3);
-  WorstFirstQueue queue;
+  UrgencyQueue queue;
   using Key = std::tuple<double, std::uint64_t, std::uint32_t>;
   std::set<Key> alive;
   std::vector<bool> is_dead;

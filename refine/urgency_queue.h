@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The queue of the incremental schedule: simplices of low quality, the worst ratio first.
+// The queue of the incremental schedule: simplices of low quality, the most urgent first.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace sinkmesh {
 /// single heap would spend most of its time on the dead; instead entries wait unsorted in buckets by exponent
 /// and two bits of the mantissa of the priority, and only the highest bucket becomes a heap, from what is then
 /// alive [SN, 4].
-class WorstFirstQueue {
+class UrgencyQueue {
  public:
   struct Entry {
     double priority;    ///< at least 1, may be infinite
