@@ -173,7 +173,8 @@ Vertex Conformer<Dim>::culprit(SubFacet f) {
 //  Where points go [BR, 5].
 
 // A power of two away from a corner at one end, so that pieces of segments that meet there at a small angle
-// become equally long and leave each other alone; else the middle.
+// become equally long and leave each other alone. Else where the culprit is nearest, if pieces of features that
+// run side by side may be the reason; not at a corner from which both come. Else the middle.
 template <int Dim>
 double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const {
   const auto& features = boundary_->features();
@@ -190,7 +191,8 @@ double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const
     }
   }
   if (Dim == 3 && projects_ && !culprit.is_null() && features.is_on_boundary(culprit) &&
-      !boundary_->has_edge(s.u, s.v)) {
+      !boundary_->has_edge(s.u, s.v) && !(is_corner_u && comes_from(culprit, s.u)) &&
+      !(is_corner_v && comes_from(culprit, s.v))) {
     const auto& ends = features.segments()[s.segment].ends;
     const Point<Dim> along = complex().point(ends[1]) - complex().point(ends[0]);
     const double t = dot(complex().point(culprit) - complex().point(ends[0]), along) / dot(along, along);
@@ -199,6 +201,16 @@ double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const
     if (part > 0.2 && part < 0.8) return low + part * apart<Dim>(complex().point(culprit)) * (high - low);
   }
   return (tu + tv) / 2;
+}
+
+// Whether v lies on a patch that has the corner.
+template <int Dim>
+bool Conformer<Dim>::comes_from(Vertex v, Vertex corner) const {
+  const auto& features = boundary_->features();
+  const std::vector<std::uint32_t> patches = features.patches_at(v);
+  return std::any_of(patches.begin(), patches.end(), [&](std::uint32_t patch) {
+    return features.has_corner({Kind::patch, patch}, corner);
+  });
 }
 
 // The mirror image of q over a segment that its patch shares with that of f, in the plane of f [BR, Lemma 2].

@@ -102,6 +102,7 @@ class Conformer {
   Vertex culprit(SubFacet f);
   bool split_segment(const SubSegment& sub_segment, Vertex culprit, double distance2);
   double split_position(const SubSegment& sub_segment, Vertex culprit) const;
+  bool comes_from(Vertex v, Vertex corner) const;
   bool split_at_center(SubFacet f, Vertex culprit, double distance2);
   bool insert_alike(SubFacet f, Vertex culprit);
   bool insert_on_patch(const PatchTriangulation::Location& at, const Point<Dim>& x, Vertex culprit,

@@ -25,17 +25,18 @@ std::vector<BoxOfFacet<Dim>> boxes_of(const Complex<Dim>& complex,
 
 template <int Dim>
 Parents<Dim>::Parents(const Boundary<Dim>& boundary, std::span<const std::array<Vertex, Dim>> facets)
-    : boundary_(&boundary),
-      facets_(facets),
-      boxes_(boxes_of<Dim>(boundary.triangulation().complex(), facets)) {}
+    : boundary_(&boundary), facets_(facets) {}
 
 template <int Dim>
-std::uint32_t Parents<Dim>::of(SubFacet f) const {
+std::uint32_t Parents<Dim>::of(SubFacet f) {
   const auto& record = boundary_->sub_facets()[f];
   if constexpr (Dim == 3) {
     const BoundaryFeatures<3>& features = boundary_->features();
-    if (!features.patches()[record.owner].is_joined) return record.parent;
+    const std::array<Vertex, Dim>& parent = facets_[record.parent];
+    const bool is_whole = std::is_permutation(parent.begin(), parent.end(), record.corners.begin());
+    if (is_whole || !features.patches()[record.owner].is_joined) return record.parent;
     const Complex<3>& complex = boundary_->triangulation().complex();
+    if (!boxes_) boxes_.emplace(boxes_of<Dim>(complex, facets_));
     const Plane& plane = features.patches()[record.owner].plane;
     BoxOfFacet<3> query;
     Point3 center{};
@@ -48,7 +49,7 @@ std::uint32_t Parents<Dim>::of(SubFacet f) const {
     // may put it out of all facets by a little.
     std::uint32_t best = record.parent;
     double most = -HUGE_VAL;
-    boxes_.for_each_larger_id(query, [&](std::uint32_t id) {
+    boxes_->for_each_larger_id(query, [&](std::uint32_t id) {
       const auto& facet = facets_[id - 1];
       const bool is_here = std::all_of(facet.begin(), facet.end(),
                                        [&](Vertex v) { return features.is_on_patch(v, record.owner); });

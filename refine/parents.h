@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,16 +19,16 @@ template <int Dim>
 class Parents {
  public:
   /// @param facets  of the surface.
-  /// Cost: log-linear.
   Parents(const Boundary<Dim>& boundary, std::span<const std::array<Vertex, Dim>> facets);
 
-  /// Cost: constant in a patch of one facet, else about logarithmic.
-  std::uint32_t of(SubFacet f) const;
+  /// Cost: constant for a whole facet, and in a patch of one; else about logarithmic, the first time
+  /// log-linear.
+  std::uint32_t of(SubFacet f);
 
  private:
   const Boundary<Dim>* boundary_;
   std::span<const std::array<Vertex, Dim>> facets_;
-  BoxForest<Dim> boxes_;
+  std::optional<BoxForest<Dim>> boxes_;  // from the first need on
 };
 
 extern template class Parents<2>;

@@ -207,7 +207,7 @@ BoundaryResult SurfaceMesher<Dim>::State::conform(std::vector<HalfFacet> found, 
   result.stop = budget.stop();
   result.points_on_segments = conformer->points_on_segments();
   result.points_on_patches = conformer->points_on_patches();
-  const Parents<Dim> parents(*boundary, used.facets);
+  Parents<Dim> parents(*boundary, used.facets);
   for (const SubFacet f : conformer->unconformed()) result.unconformed.push_back(parents.of(f));
   std::sort(result.unconformed.begin(), result.unconformed.end());
   result.unconformed.erase(std::unique(result.unconformed.begin(), result.unconformed.end()),
@@ -296,7 +296,7 @@ template <int Dim>
 std::vector<std::int64_t> SurfaceMesher<Dim>::State::parents_of(std::span<const HalfFacet> walls) const {
   std::vector<std::int64_t> parents;
   if (boundary) {
-    const Parents<Dim> known(*boundary, used.facets);
+    Parents<Dim> known(*boundary, used.facets);
     for (const HalfFacet h : walls) parents.push_back(known.of(boundary->at(h)));
     return parents;
   }

@@ -46,12 +46,10 @@ void Refiner<Dim>::refine_boundary() {
       conformer_->set_lambda(lambda);
       inserter_.set_lambda(lambda);
     }
-    for (const bool generous : {false, true}) {
-      generous_ = generous;
-      do {
-        inserter_.reconsider_all();
-        run_incremental(true);
-      } while (!is_stopped() && (bring_centers_inside() || expel_flat_simplices()));
+    for (generous_ = false;; generous_ = true) {
+      inserter_.reconsider_all();
+      run_incremental(true);
+      if (is_stopped() || (generous_ && !bring_centers_inside() && !expel_flat_simplices())) break;
     }
     if (!is_given || inserter_.num_low_quality() <= fixed || lambda <= kLeastLambda || is_stopped()) return;
   }
