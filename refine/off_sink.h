@@ -24,8 +24,8 @@ struct OffSink {
 ///
 /// From the circumcenter of a simplex to that of its successor the chain is a piece of the Voronoi edge of the
 /// facet between the two, so the nearest vertices of each point on it are the corners of that facet, and their
-/// distance grows along the way. Before the first circumcenter the point is off-center in the sense of Üngör
-/// (2004), and a vertex may be nearer than the ends of the shortest edge.
+/// distance grows along the way. Before the first circumcenter the point is off-center in the sense of
+/// [U04], and a vertex may be nearer than the ends of the shortest edge.
 ///
 /// Holds working memory only; keep one and reuse it.
 template <int Dim>

@@ -383,17 +383,6 @@ TYPED_TEST(BoundaryRefiner, FieldsCarryParentsTagsAndRegions) {
   }
 }
 
-// Tags keep the two triangles of a side apart, so that their common edge is a segment between coplanar patches,
-// and at a wedge of 5 degrees points breed points.
-TEST(BoundaryRefiner, DISABLED_ConformsAWedgeOfFiveDegreesWhoseFacetsAreNotJoined) {
-  Surface3 surface = test::wedge(5);
-  for (std::size_t f = 0; f < surface.facets.size(); ++f)
-    surface.facet_tags.push_back(static_cast<std::int64_t>(f));
-  const RefineOptions options = options_for(3, combinations()[0]);
-  SurfaceMesher3 mesher(surface);
-  EXPECT_TRUE(mesher.find_domain(options).ok());
-}
-
 TEST(BoundaryRefiner, RegionsHaveTheirOwnVolumes) {
   for (const Combination& combination : combinations()) {
     SCOPED_TRACE(combination.name);

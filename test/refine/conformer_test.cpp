@@ -79,7 +79,7 @@ std::size_t astray(const Conforming<Dim>& c, bool in_single) {
     }
   }
   std::size_t count = 0;
-  const Parents<Dim> parents(c.boundary, c.facets);
+  Parents<Dim> parents(c.boundary, c.facets);
   for (const SubFacet f : c.sub_facets()) {
     const auto& record = c.boundary.sub_facets()[f];
     Point<Dim> center{};
