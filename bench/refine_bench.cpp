@@ -113,6 +113,9 @@ struct Method {
   bool literal = false;
 };
 constexpr Method kMethods[] = {
+    {"offsink/incremental", Insert::off_sink, Schedule::incremental},
+    {"offsink/block", Insert::off_sink, Schedule::block},
+    {"offsink/parallel", Insert::off_sink, Schedule::parallel},
     {"sink/incremental", Insert::sink, Schedule::incremental},
     {"sink/block", Insert::sink, Schedule::block},
     {"sink/parallel", Insert::sink, Schedule::parallel},
