@@ -47,11 +47,19 @@ Location<Dim> walk_to(const Complex<Dim>& complex, const Predicates<Dim>& predic
 template <int Dim, class IsEnd, class MayLeave>
 Location<Dim> visibility_walk(const Complex<Dim>& complex, const Predicates<Dim>& predicates,
                               const PointArg<Dim>& p, Simplex start, IsEnd&& is_end, MayLeave&& may_leave) {
+  constexpr int kShortWalk = 4;
   Location<Dim> at;
   at.simplex = complex.is_ghost(start) ? complex.neighbor(start, Dim) : start;
   int entry = -1;
   for (;;) {
     ++at.steps;
+    if (at.steps > kShortWalk) {
+      // Where a long walk goes next is not in the cache, and waiting for it would be most of its time.
+      const auto* const records = complex.records().data();
+      for (const std::uint32_t mate : records[at.simplex.index()].mate) {
+        __builtin_prefetch(&records[mate / Complex<Dim>::kCorners]);
+      }
+    }
     if (is_end(at.simplex)) return at;
     const Corners<Dim> corners = complex.corners(at.simplex);
     HalfFacet exit;

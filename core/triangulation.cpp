@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/bulk_search.h"
 #include "core/mix.h"
 #include "predicates/predicates.h"
 
@@ -86,48 +87,21 @@ void Triangulation<Dim>::make_first_simplex(std::span<const Point<Dim>> gated,
 
 template <int Dim>
 void Triangulation<Dim>::insert_all(Engine engine) {
+  BulkSearch<Dim> search;
   Simplex hint(0);
   const std::size_t count = complex_.num_vertices();
   for (std::uint32_t i = Dim + 1; i < count; ++i) {
     const Vertex v(i);
     const Point<Dim> p = complex_.point(v);
     if (engine == Engine::star) {
-      const Location<Dim> at = walk_to_conflict(complex_, predicates_, p, hint);
-      cavity_.grow(complex_, predicates_, p, at.simplex);
+      cavity_.grow(complex_, predicates_, p, search.find(complex_, predicates_, p));
       linker_.substitute(complex_, cavity_, v);
-      hint = next_hint(v, at.steps);
+      search.settle(complex_, cavity_, v);
     } else {
       flipper_.insert(complex_, predicates_, walk_to(complex_, predicates_, p, hint), v);
       hint = complex_.incident_simplex(v);
     }
   }
-}
-
-// On surface-like input stars reach across the whole solid, and a walk from a far-reaching simplex is long; the
-// one of smallest reach stays near the surface, where the next point is. Looking for it costs 10 % on uniform
-// input, so it is done only after a long walk [SN, 3.2].
-template <int Dim>
-Simplex Triangulation<Dim>::next_hint(Vertex v, int steps) const {
-  constexpr int kLongWalk = 8;
-  if (steps <= kLongWalk) return cavity_.star(0);
-  const Point<Dim>& p = complex_.point(v);
-  Simplex best = cavity_.star(0);
-  double best_reach = HUGE_VAL;
-  for (std::size_t i = 0; i < cavity_.num_facets(); ++i) {
-    const Simplex s = cavity_.star(i);
-    if (complex_.is_ghost(s)) continue;
-    double reach = 0;
-    for (const Point<Dim>* q : complex_.corners(s)) {
-      double square = 0;
-      for (std::size_t k = 0; k < Dim; ++k) square += ((*q)[k] - p[k]) * ((*q)[k] - p[k]);
-      reach = std::max(reach, square);
-    }
-    if (reach < best_reach) {
-      best_reach = reach;
-      best = s;
-    }
-  }
-  return best;
 }
 
 // Vertices were numbered in the order of insertion, which keeps neighbours close in memory; gives them the ids

@@ -113,7 +113,6 @@ class Triangulation {
   void make_first_simplex(std::span<const Point<Dim>> gated, std::vector<std::uint32_t>& order);
   void insert_all(Engine engine);
   void restore_ids(std::span<const Point<Dim>> gated, const std::vector<std::uint32_t>& order);
-  Simplex next_hint(Vertex v, int steps) const;
   Simplex some_simplex() const;
 
   InputGate<Dim> gate_;
