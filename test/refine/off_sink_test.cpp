@@ -9,6 +9,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
+#include <tuple>
 
 #include "core/triangulation.h"
 #include "predicates/circumcenter.h"
@@ -46,13 +48,25 @@ std::vector<Point<Dim>> points_near_a_plane(std::size_t n, std::uint64_t seed) {
   return points;
 }
 
+// So near the origin that coordinates have more bits than the grid.
+template <int Dim>
+std::vector<Point<Dim>> crowd_at_the_origin(std::size_t n, std::uint64_t seed) {
+  std::vector<Point<Dim>> points = uniform_points<Dim>(n, seed);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (double& x : points[i]) x = (x - 0.5) * (i % 3 == 0 ? 1 : 0x1p-80);
+  }
+  return points;
+}
+
 template <int Dim>
 std::vector<PointSet<Dim>> sets() {
   return {{"uniform", uniform_points<Dim>(Dim == 2 ? 200 : 90, 1)},
           {"grid", grid_points<Dim>(Dim == 2 ? 9 : 4)},
           {"sphere", sphere_points<Dim>()},
           {"clustered", clustered_points<Dim>(Dim == 2 ? 210 : 105, 2)},
-          {"near a plane", points_near_a_plane<Dim>(60, 3)}};
+          {"tenth", grid_points<Dim>(Dim == 2 ? 8 : 4, 0.1)},
+          {"near a plane", points_near_a_plane<Dim>(60, 3)},
+          {"crowd at the origin", crowd_at_the_origin<Dim>(Dim == 2 ? 90 : 45, 4)}};
 }
 
 template <int Dim>
@@ -63,6 +77,8 @@ double nearest2(const Complex<Dim>& complex, const Point<Dim>& x) {
   }
   return result;
 }
+
+constexpr double kBeyondAll2 = 0x1p1000;
 
 // Shorter and longer than all that happens on the chain of s; the last leads to its sink.
 template <int Dim>
@@ -75,7 +91,7 @@ std::vector<double> reaches2(const Complex<Dim>& complex, Simplex s) {
     if (reach2 > shape.shortest2 * 0.26) result.push_back(reach2);
   }
   result.push_back(std::nextafter(shape.radius2, HUGE_VAL));
-  result.push_back(0x1p1000);
+  result.push_back(kBeyondAll2);
   return result;
 }
 
@@ -83,13 +99,14 @@ template <class T>
 class OffSinkTest : public testing::Test {};
 TYPED_TEST_SUITE(OffSinkTest, PlaneAndSpace, DimensionName);
 
-// The end of the exact chain that has been found; null if there is none.
+// The end of the exact chain that has been found; null if there is none. Only sinks are nearer than the reach.
 template <int Dim>
 const typename ChainOracle<Dim>::End* matching(const std::vector<typename ChainOracle<Dim>::End>& ends,
-                                               const std::optional<OffSink<Dim>>& found) {
+                                               const std::optional<OffSink<Dim>>& found, double reach2) {
   const typename ChainOracle<Dim>::End* best = nullptr;
   for (const auto& end : ends) {
     if (end.simplex != (found ? found->simplex : Simplex())) continue;
+    if (found && (end.part == ChainOracle<Dim>::Part::sink) != (found->distance2 < reach2)) continue;
     if (best == nullptr ||
         squared_distance(end.point, found->point) < squared_distance(best->point, found->point)) {
       best = &end;
@@ -102,19 +119,33 @@ TYPED_TEST(OffSinkTest, IsWhereTheExactChainIsAtTheReach) {
   constexpr int kDim = TypeParam::value;
   using Part = typename ChainOracle<kDim>::Part;
   std::map<Part, std::size_t> parts;
+  std::size_t seen = 0;
+  std::size_t all = 0;
   for (const PointSet<kDim>& set : sets<kDim>()) {
     SCOPED_TRACE(set.name);
+    // Facets of points that are collinear but for rounding have rounded centers.
+    const double tolerance = set.name == "tenth" ? 1e-7 : 1e-9;
     const Triangulation<kDim> triangulation(set.points);
     const Complex<kDim>& complex = triangulation.complex();
     Flow<kDim> flow(triangulation);
     ChainOracle<kDim> oracle(triangulation);
     OffSinkWalk<kDim> walk;
+    // Thinner ones are never worked on: rounding decides how large they are.
+    const auto is_seen = [&](Simplex t) {
+      return t.is_null() || std::abs(shape<kDim>(complex.corners(t)).radius2 / oracle.radius2(t) - 1) < 1e-6;
+    };
     for (const Simplex s : solid_simplices(complex)) {
+      if (!is_seen(s)) continue;
       for (const double reach2 : reaches2<kDim>(complex, s)) {
+        if (set.name == "crowd at the origin" && reach2 > 0x1p-140) continue;  // out of the crowd
         SCOPED_TRACE(testing::Message() << s << ", reach^2 " << reach2);
+        ++all;
         const std::optional<OffSink<kDim>> found = walk(flow, s, reach2);
         const auto ends = oracle.ends(s, reach2);
-        const auto* end = matching<kDim>(ends, found);
+        if (found && !is_seen(found->simplex)) continue;
+        if (std::any_of(ends.begin(), ends.end(), [&](const auto& e) { return !is_seen(e.simplex); })) continue;
+        ++seen;
+        const auto* end = matching<kDim>(ends, found, reach2);
         ASSERT_NE(end, nullptr) << (found ? "another end than that of the chain" : "no point");
         ++parts[end->part];
         if (!found) continue;
@@ -126,11 +157,11 @@ TYPED_TEST(OffSinkTest, IsWhereTheExactChainIsAtTheReach) {
           ASSERT_FALSE(x == 0 && std::signbit(x));
         }
         const double distance = std::sqrt(found->distance2);
-        ASSERT_LE(std::sqrt(squared_distance(end->point, found->point)), 1e-9 * distance);
+        ASSERT_LE(std::sqrt(squared_distance(end->point, found->point)), tolerance * distance);
         ASSERT_NEAR(found->distance2 / end->distance2, 1, 1e-9);
-        if (found->distance2 != reach2) {
-          ASSERT_LT(found->distance2, reach2);
-          ASSERT_EQ(end->part, Part::sink);
+        if (end->part != Part::sink) {
+          ASSERT_EQ(found->distance2, reach2);
+        } else {
           ASSERT_EQ(found->distance2, shape<kDim>(complex.corners(found->simplex)).radius2);
           Point<kDim> center;
           ASSERT_TRUE(circumcenter(complex.corners(found->simplex), center));
@@ -142,11 +173,12 @@ TYPED_TEST(OffSinkTest, IsWhereTheExactChainIsAtTheReach) {
           ASSERT_LE(height2.get_d(),
                     squared_distance(sphere.center, rational<kDim>(end->middle)).get_d() * (1 + 1e-9));
         } else {
-          ASSERT_NEAR(std::sqrt(nearest2<kDim>(complex, found->point)) / distance, 1, 1e-9);
+          ASSERT_NEAR(std::sqrt(nearest2<kDim>(complex, found->point)) / distance, 1, tolerance);
         }
       }
     }
   }
+  EXPECT_GT(seen, all - all / 20);
   EXPECT_GT(parts[Part::off_center], 1000U);
   EXPECT_GT(parts[Part::voronoi], 300U);
   EXPECT_GT(parts[Part::sink], 1000U);
@@ -182,9 +214,8 @@ TYPED_TEST(OffSinkTest, OffCenterIsAtTheReachFromBothEndsOfAShortestEdge) {
 
 // By sorted corners, which do not depend on numbers: what is found for each simplex, bit for bit.
 template <int Dim>
-auto all_off_sinks(const std::vector<Point<Dim>>& points, double reach) {
+auto all_off_sinks(const Triangulation<Dim>& triangulation, double reach) {
   using Key = std::array<Point<Dim>, Dim + 1>;
-  const Triangulation<Dim> triangulation(points);
   const Complex<Dim>& complex = triangulation.complex();
   const auto key_of = [&](Simplex s) {
     Key key;
@@ -205,27 +236,41 @@ auto all_off_sinks(const std::vector<Point<Dim>>& points, double reach) {
   return result;
 }
 
-TYPED_TEST(OffSinkTest, DoesNotDependOnTheOrderOfThePoints) {
+// The engines give the corners of simplices in different orders.
+TYPED_TEST(OffSinkTest, DoesNotDependOnTheOrderOfPointsAndCorners) {
   constexpr int kDim = TypeParam::value;
-  std::vector<PointSet<kDim>> all = sets<kDim>();
-  all.push_back({"tenth", grid_points<kDim>(kDim == 2 ? 9 : 4, 0.1)});
-  for (const PointSet<kDim>& set : all) {
+  for (const PointSet<kDim>& set : sets<kDim>()) {
+    SCOPED_TRACE(set.name);
+    const Triangulation<kDim> triangulation(set.points);
+    std::vector<Triangulation<kDim>> others;
+    std::vector<Point<kDim>> points = set.points;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      Random random(seed);
+      std::shuffle(points.begin(), points.end(), random);
+      others.emplace_back(points);
+      others.emplace_back(points, Engine::flips);
+      // Half of them one by one. The gate is that of the largest.
+      const auto largest = [](const Point<kDim>& p) {
+        return std::abs(*std::max_element(p.begin(), p.end(),
+                                          [](double x, double y) { return std::abs(x) < std::abs(y); }));
+      };
+      std::iter_swap(points.begin(),
+                     std::max_element(points.begin(), points.end(),
+                                      [&](const auto& p, const auto& q) { return largest(p) < largest(q); }));
+      const std::size_t half = points.size() / 2;
+      others.emplace_back(std::span(points).first(half));
+      for (const Point<kDim>& p : std::span(points).subspan(half)) others.back().insert(p);
+    }
     for (const double reach : {0.6, 0.8, 1.2, 1.5, 3.0, 1e6}) {
-      SCOPED_TRACE(testing::Message() << set.name << ", reach " << reach);
-      const auto expected = all_off_sinks<kDim>(set.points, reach);
-      std::vector<Point<kDim>> points = set.points;
-      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        Random random(seed);
-        std::shuffle(points.begin(), points.end(), random);
-        ASSERT_EQ(all_off_sinks<kDim>(points, reach), expected);
-      }
+      SCOPED_TRACE(testing::Message() << "reach " << reach);
+      const auto expected = all_off_sinks<kDim>(triangulation, reach);
+      for (const Triangulation<kDim>& other : others) ASSERT_EQ(all_off_sinks<kDim>(other, reach), expected);
     }
   }
 }
 
-// The facets of a cone that is so flat that doubles see no height: where its far center is, is told by exact
-// numbers, and its square overflows.
-TYPED_TEST(OffSinkTest, FollowsDirectionsThatAreLongerThanTheRootOfTheLargestNumber) {
+// A simplex so flat that doubles see no height: where its far center is, is told by exact numbers.
+TYPED_TEST(OffSinkTest, FollowsTheDirectionHoweverFarTheCenterIs) {
   constexpr int kDim = TypeParam::value;
   std::vector<Point<kDim>> points;
   if constexpr (kDim == 2) {

@@ -55,6 +55,7 @@ struct Inside {
   Triangulation<Dim> triangulation;
   Domain<Dim> domain;
   Flow<Dim> flow;
+  std::size_t shared = 0;  ///< points of more than one simplex that have been met
 };
 
 template <int Dim>
@@ -86,7 +87,7 @@ std::vector<Listed<Dim>> list(Inside<Dim>& inside, double max_ratio, double reac
   std::sort(result.begin(), result.end(),
             [](const auto& a, const auto& b) { return std::pair(a.key, a.tie) < std::pair(b.key, b.tie); });
   std::set<Point<Dim>> met;
-  std::erase_if(result, [&](const auto& entry) { return !met.insert(entry.point).second; });
+  inside.shared += std::erase_if(result, [&](const auto& entry) { return !met.insert(entry.point).second; });
   return result;
 }
 
@@ -189,10 +190,14 @@ TYPED_TEST(OrderTest, FirstPointIsThatOfTheFirstSimplexWhoseOffSinkIsNotRefused)
   EXPECT_GT(different.size(), 20U);
 }
 
-// The rounds, without caches and early ends.
+// The rounds, without caches and early ends; and how many candidates are looked at, or not.
+struct Counts {
+  std::size_t considered = 0;
+  std::size_t needless = 0;
+};
 template <int Dim>
 std::vector<Point<Dim>> expected_round(Inside<Dim>& inside, Schedule schedule, double max_ratio, double reach,
-                                       Order order, std::size_t& needless) {
+                                       Order order, Counts& counts) {
   const Complex<Dim>& complex = inside.triangulation.complex();
   std::vector<Point<Dim>> vertices = inside.points();
   std::vector<Listed<Dim>> chosen;
@@ -202,9 +207,10 @@ std::vector<Point<Dim>> expected_round(Inside<Dim>& inside, Schedule schedule, d
     // Its owner is gone.
     if (std::any_of(result.begin(), result.end(),
                     [&](const Point<Dim>& x) { return holds<Dim>(inside, entry.owner, x); })) {
-      ++needless;
+      ++counts.needless;
       continue;
     }
+    ++counts.considered;
     std::set<Vertex> closure;
     if (schedule == Schedule::block) {
       if (std::any_of(chosen.begin(), chosen.end(), [&](const Listed<Dim>& other) {
@@ -231,13 +237,17 @@ std::vector<Point<Dim>> expected_round(Inside<Dim>& inside, Schedule schedule, d
 TYPED_TEST(OrderTest, FirstRoundIsWhatAllPairsLeaveOfTheList) {
   constexpr int kDim = TypeParam::value;
   std::size_t needless = 0;
+  std::size_t shared = 0;
   for (const Schedule schedule : {Schedule::block, Schedule::parallel}) {
     for (const Order order : kOrders) {
       for (const std::uint64_t seed : {1, 2}) {
         SCOPED_TRACE(testing::Message() << name(schedule) << ", " << name(order) << ", seed " << seed);
         Inside<kDim> model(seed);
-        const auto expected = expected_round<kDim>(model, schedule, 1.0, kDefaultReach<kDim>, order, needless);
+        Counts counts;
+        const auto expected = expected_round<kDim>(model, schedule, 1.0, kDefaultReach<kDim>, order, counts);
         ASSERT_GT(expected.size(), 3U);
+        needless += counts.needless;
+        shared += model.shared;
 
         Inside<kDim> inside(seed);
         const std::size_t before = inside.points().size();
@@ -248,6 +258,7 @@ TYPED_TEST(OrderTest, FirstRoundIsWhatAllPairsLeaveOfTheList) {
         options.observer = [&](const Progress& progress) {
           if (progress.round != 1) return;
           EXPECT_EQ(progress.inserted, expected.size());
+          EXPECT_EQ(progress.candidates, counts.considered);
           std::vector<Point<kDim>> points = inside.points();
           points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(before));
           EXPECT_EQ(points, expected);
@@ -257,6 +268,7 @@ TYPED_TEST(OrderTest, FirstRoundIsWhatAllPairsLeaveOfTheList) {
     }
   }
   EXPECT_GT(needless, 100U);
+  EXPECT_GT(shared, kDim == 2 ? 0U : 10U);
 }
 
 // Two orthogonal balls do not hold each other's centers, so points of a round leave each other alone.
