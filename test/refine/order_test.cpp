@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -13,7 +14,9 @@
 
 #include "core/conflict.h"
 #include "core/mix.h"
+#include "predicates/circumcenter.h"
 #include "refine/domain.h"
+#include "refine/independence.h"
 #include "refine/off_sink.h"
 #include "refine/refiner.h"
 #include "refine/vector.h"
@@ -315,6 +318,51 @@ std::vector<Point<Dim>> round_points(std::uint64_t seed) {
     }
     return points;
   }
+}
+
+// Of circumcenters the spheres are those of their simplices, and where these are orthogonal but for rounding it
+// is their corners that decide. Lattices with holes are full of them.
+TYPED_TEST(OrderTest, SpheresOfABlockOfCentersAreExactlyOrthogonalOrFurther) {
+  constexpr int kDim = TypeParam::value;
+  std::size_t close = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::vector<Point<kDim>> points = grid_points<kDim>(kDim == 2 ? 24 : 8, 0.1);
+    std::erase_if(points, [&](const Point<kDim>&) { return random() % 10 < 4; });
+    Inside<kDim> model(points);
+    std::map<Point<kDim>, std::vector<Simplex>> owners;
+    for (const Simplex s : model.domain.simplices()) {
+      Point<kDim> center;
+      if (circumcenter(model.triangulation.complex().corners(s), center)) owners[center].push_back(s);
+    }
+    Inside<kDim> inside(points);
+    RefineOptions options;
+    options.insert = Insert::circumcenter;
+    options.schedule = Schedule::block;
+    options.max_ratio = 1;
+    options.observer = [&](const Progress& progress) {
+      if (progress.round != 1) return;
+      const std::vector<Point<kDim>> all = inside.points();
+      for (std::size_t i = points.size(); i < all.size(); ++i) {
+        const auto& of_i = owners.at(all[i]);
+        const double radius2 = shape<kDim>(model.triangulation.complex().corners(of_i.front())).radius2;
+        for (std::size_t j = points.size(); j < i; ++j) {
+          const auto& of_j = owners.at(all[j]);
+          const double sum2 =
+              radius2 + shape<kDim>(model.triangulation.complex().corners(of_j.front())).radius2;
+          if (std::abs(squared_distance(all[i], all[j]) - sum2) > 1e-12) continue;
+          ++close;
+          EXPECT_TRUE(std::any_of(of_i.begin(), of_i.end(), [&](Simplex s) {
+            return std::any_of(of_j.begin(), of_j.end(),
+                               [&](Simplex t) { return are_orthogonal_or_further(model.triangulation, s, t); });
+          }));
+        }
+      }
+    };
+    Refiner<kDim>(inside.triangulation, inside.domain, inside.flow, options).run();
+  }
+  EXPECT_GT(close, 10U);
 }
 
 // With the least reach and the least bound the points of off-sinks are as near to vertices as they may be.
