@@ -26,6 +26,9 @@ bool is_strictly_inside(const Corners<3>& s, const Point3& x) {
 // by a noticeable part of the distance between vertices.
 constexpr double kResolution2 = 0x1p-80;
 
+// What rounding the coordinates of a point, and the way there, may take from its distances.
+constexpr double kRounding = 0x1p-50;
+
 }  // namespace
 
 template <int Dim>
@@ -221,7 +224,8 @@ bool SteinerInserter<Dim>::make_off_sink(Simplex s, double reach, Candidate<Dim>
   candidate.owner_birth = birth(s);
   candidate.is_center = false;
   candidate.tie = tie(s);
-  candidate.least2 = length2;
+  const double least = std::max(0.0, std::sqrt(length2) - kRounding);
+  candidate.least2 = least * least;
   if (!at) {
     refuse(candidate, Verdict::crossing);
     return false;

@@ -4,6 +4,7 @@
 #include "predicates/input_gate.h"
 
 #include <gmock/gmock.h>
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -110,6 +111,53 @@ TEST(InputGate, RoundsAgainstGmp) {
     if (error == 0.5) {
       ASSERT_EQ(std::remainder(units, 2), 0);
     }
+  }
+}
+
+// By the definition, in the integers of GMP: x 2^121 = whole + rest.
+double expected_on_grid(double x) {
+  mpq_class units(x);
+  mpq_mul_2exp(units.get_mpq_t(), units.get_mpq_t(), kGridBits);
+  mpz_class whole;
+  mpz_fdiv_q(whole.get_mpz_t(), units.get_num_mpz_t(), units.get_den_mpz_t());
+  const mpq_class rest = units - whole;
+  if (rest > mpq_class(1, 2) || (rest == mpq_class(1, 2) && mpz_odd_p(whole.get_mpz_t()))) ++whole;
+  mpq_class result(whole);
+  mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), kGridBits);
+  return result.get_d();  // exact: at most 53 bits
+}
+
+template <std::size_t N>
+void expect_on_grid(const std::array<double, N>& p) {
+  const std::array<double, N> rounded = on_grid<static_cast<int>(N)>(p);
+  for (std::size_t k = 0; k < N; ++k) {
+    ASSERT_EQ(rounded[k], expected_on_grid(p[k])) << p[k];
+    ASSERT_FALSE(rounded[k] == 0 && std::signbit(rounded[k])) << p[k];
+    if (std::abs(p[k]) >= 0x1p-69) {
+      ASSERT_EQ(rounded[k], p[k]);
+    }
+  }
+}
+
+TEST(OnGrid, IsTheNearestMultipleByGmp) {
+  Random random(16);
+  const auto any = [&](int low, int high) {
+    const double m = uniform(random, 1, 2);
+    return std::ldexp(random() % 2 != 0 ? m : -m, uniform_int(random, low, high));
+  };
+  for (int i = 0; i < 5000; ++i) {
+    expect_on_grid(Point3{any(-125, -119), any(-122, -60), any(-300, 0)});
+    expect_on_grid(Point2{any(-71, -68), any(-1074, 0)});
+    // Ties, and next to them, over the whole range in which there are any.
+    const double half = std::ldexp(1.0, -kGridBits - 1);
+    const double bits = std::ldexp(1.0, uniform_int(random, 0, 51));
+    const double tie = (2 * std::floor(uniform(random, -bits, bits)) + 1) * half;
+    expect_on_grid(Point3{tie, std::nextafter(tie, HUGE_VAL), std::nextafter(tie, -HUGE_VAL)});
+  }
+  for (const double x :
+       {0.0, -0.0, 0x1p-122, -0x1p-122, 0x3p-122, -0x3p-122, 0x1p-69, -0x1p-69, std::nextafter(0x1p-69, 0.0),
+        -std::nextafter(0x1p-69, 0.0), 0x1p-1074, -0x1p-1074, 1.0, std::nextafter(2.0, 0.0)}) {
+    expect_on_grid(Point2{x, -x});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "refine/mesh_check.h"
@@ -515,6 +516,55 @@ TYPED_TEST(BoundaryRefiner, ObserverSeesTheMeshAfterEachRound) {
       }
     }
   }
+}
+
+TYPED_TEST(BoundaryRefiner, KeepsTheOrderThatIsAskedForOrTheBest) {
+  constexpr int kDim = TypeParam::value;
+  std::size_t different = 0;
+  for (const auto& input : inputs<kDim>()) {
+    for (const Combination& combination : combinations()) {
+      SCOPED_TRACE(input.name + ", " + combination.name);
+      RefineOptions options = options_for(kDim, combination);
+      std::set<std::uint64_t> hashes;
+      for (const std::optional<Order> order :
+           {std::optional<Order>(), std::optional(Order::ratio), std::optional(Order::shortest),
+            std::optional(Order::smallest)}) {
+        options.order = order;
+        SurfaceMesher<kDim> mesher(input.surface);
+        ASSERT_TRUE(mesher.find_domain(options).ok());
+        EXPECT_EQ(mesher.refine(options).order, order.value_or(default_order<kDim>(combination.insert, true)));
+        hashes.insert(mesher.hash());
+      }
+      different += hashes.size() > 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(different, 5U);
+}
+
+// Nor is anything tried for excused simplices when it is done again.
+TYPED_TEST(BoundaryRefiner, LeavesSimplicesAloneThatASmallAngleExcuses) {
+  constexpr int kDim = TypeParam::value;
+  std::size_t excused = 0;
+  for (const auto& input : inputs<kDim>()) {
+    for (const Combination& combination : combinations()) {
+      if (combination.schedule == Schedule::incremental) continue;
+      SCOPED_TRACE(input.name + ", " + combination.name);
+      SurfaceMesher<kDim> mesher(input.surface);
+      const RefineOptions options = options_for(kDim, combination);
+      const BoundaryResult boundary = mesher.find_domain(options);
+      ASSERT_TRUE(boundary.ok());
+      const Remaining remaining = mesher.refine(options).remaining;
+      // Where no point was needed to conform, fewer may be excused the second time.
+      if (boundary.points_on_segments + boundary.points_on_patches == 0) continue;
+      if (remaining.small_angle != remaining.total()) continue;
+      excused += remaining.small_angle;
+      const RefineResult again = mesher.refine(options);
+      EXPECT_EQ(again.candidates, 0U);
+      EXPECT_EQ(again.inserted, 0U);
+      EXPECT_EQ(again.remaining.small_angle, remaining.small_angle);
+    }
+  }
+  EXPECT_GT(excused, 30U);
 }
 
 // What is stable as given is not touched, unless it is asked for.

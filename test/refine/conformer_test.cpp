@@ -170,6 +170,46 @@ TYPED_TEST(Conform, LabelsOfNewSimplicesAreThoseFromScratch) {
   }
 }
 
+// What is computed of two multiples of 2^-121, or on a plane, need not be one. Corners a little off a
+// coordinate plane, by numbers of a few bits, leave room for that.
+template <int Dim>
+Surface<Dim> near_coordinate_planes(Surface<Dim> surface, std::uint64_t seed) {
+  test::Random random(seed);
+  for (auto& p : surface.points) {
+    for (double& x : p) {
+      if (x == 0) x = 1e-25 * test::uniform(random, -1, 1);
+    }
+  }
+  return surface;
+}
+
+TYPED_TEST(Conform, PutsPointsOnTheGridOfTheGate) {
+  constexpr int kDim = TypeParam::value;
+  std::size_t small = 0;
+  for (const auto& [name, surface, measure, is_exact] : test::boundary_surfaces<kDim>()) {
+    if (name == "grid cube") continue;  // large
+    for (const std::uint64_t seed : {1, 2}) {
+      SCOPED_TRACE(name);
+      Conforming<kDim> c(near_coordinate_planes<kDim>(surface, seed));
+      c.conformer.start();
+      c.conform(500);
+      test::Random random(seed);
+      for (int step = 0; step < 10 && c.conformer.unconformed().empty(); ++step) {
+        const auto all = c.sub_facets();
+        c.conformer.split(all[random() % all.size()], 0);
+        c.conform(500);
+      }
+      for (auto v = static_cast<std::uint32_t>(surface.points.size()); v < c.complex().num_vertices(); ++v) {
+        for (const double x : c.complex().point(Vertex(v))) {
+          ASSERT_EQ(x * 0x1p121, std::nearbyint(x * 0x1p121)) << v;
+          small += x != 0 && std::abs(x) < 0x1p-69 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(small, 30U);
+}
+
 // Steps of a budget: the work goes on where it stopped, to the same end.
 TYPED_TEST(Conform, GoesOnWhereItWasStopped) {
   constexpr int kDim = TypeParam::value;

@@ -31,6 +31,39 @@ TEST(Options, AnglesAndFlatnessHaveARange) {
   EXPECT_NO_THROW(require_valid(options));
 }
 
+TEST(Options, ReachIsAtLeastOne) {
+  for (const double reach : {0.0, -2.0, std::nextafter(1.0, 0.0), -HUGE_VAL, std::nan("")}) {
+    for (const Insert insert : {Insert::off_sink, Insert::sink, Insert::circumcenter}) {
+      RefineOptions options;
+      options.insert = insert;
+      options.reach = reach;
+      EXPECT_THROW(require_valid(options), InputError) << reach;
+    }
+  }
+  for (const double reach : {1.0, 1.3, 1e9}) {
+    RefineOptions options;
+    options.reach = reach;
+    EXPECT_NO_THROW(require_valid(options)) << reach;
+  }
+}
+
+TEST(Options, LiteralRoundsAreForCentersInRounds) {
+  for (const Insert insert : {Insert::off_sink, Insert::sink, Insert::circumcenter}) {
+    for (const Schedule schedule : {Schedule::incremental, Schedule::block, Schedule::parallel}) {
+      RefineOptions options;
+      options.insert = insert;
+      options.schedule = schedule;
+      EXPECT_NO_THROW(require_valid(options));
+      options.literal = true;
+      if (insert == Insert::off_sink || schedule == Schedule::incremental) {
+        EXPECT_THROW(require_valid(options), InputError) << name(insert) << ' ' << name(schedule);
+      } else {
+        EXPECT_NO_THROW(require_valid(options)) << name(insert) << ' ' << name(schedule);
+      }
+    }
+  }
+}
+
 TEST(Options, ReasonsAreCountedUnderNamesOfTheirOwn) {
   const Remaining remaining{1, 2, 4, 8, 16, 32, 64};
   std::size_t total = 0;
@@ -44,6 +77,18 @@ TEST(Options, ReasonsAreCountedUnderNamesOfTheirOwn) {
   EXPECT_EQ(names.size(), kLeftoverReasons.size());
   EXPECT_EQ(remaining.count(LeftoverReason::small_angle), 32U);
   EXPECT_STREQ(name(Leftover<3>::Reason::small_angle), "small_angle");
+}
+
+TEST(Options, PointsOrdersAndSchedulesAreNamedAsInTheProgram) {
+  EXPECT_STREQ(name(Insert::sink), "sink");
+  EXPECT_STREQ(name(Insert::circumcenter), "circumcenter");
+  EXPECT_STREQ(name(Insert::off_sink), "offsink");
+  EXPECT_STREQ(name(Order::ratio), "ratio");
+  EXPECT_STREQ(name(Order::shortest), "shortest");
+  EXPECT_STREQ(name(Order::smallest), "smallest");
+  EXPECT_STREQ(name(Schedule::incremental), "incremental");
+  EXPECT_STREQ(name(Schedule::block), "block");
+  EXPECT_STREQ(name(Schedule::parallel), "parallel");
 }
 
 TEST(Options, ModesAndFeaturesAreNamedAsInTheProgram) {

@@ -69,6 +69,15 @@ TEST(SphereSet, TakesSpheresWithoutCornersAsTheyAreRounded) {
   EXPECT_TRUE(set.is_orthogonal_to_all({{0.625, 0, 0}, 16.0 / 64, {}}));  // 3, 4, 5 eighths
   EXPECT_FALSE(set.is_orthogonal_to_all({{std::nextafter(0.625, 0), 0, 0}, 16.0 / 64, {}}));
   EXPECT_FALSE(set.is_orthogonal_to_all({{0.625, 0, 0}, std::nextafter(16.0 / 64, 1), {}}));
+
+  // One with corners, however exact, is met as it is rounded, too. Its corners are elsewhere here.
+  std::mt19937_64 random(7);
+  SphereSet<3>::Sphere exact = random_sphere(random, 0.5);
+  exact.center = {0.625, 0, 0};
+  exact.radius2 = 16.0 / 64;
+  EXPECT_TRUE(set.is_orthogonal_to_all(exact));
+  exact.center = {0, 0, 0.5};
+  EXPECT_FALSE(set.is_orthogonal_to_all(exact));
 }
 
 }  // namespace

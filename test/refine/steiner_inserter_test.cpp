@@ -254,5 +254,138 @@ TEST(SteinerInserter, LooksAtFinePointsNextToTheCirclesOfAGrid) {
   }
 }
 
+std::size_t total(const Rejections& rejections) {
+  return rejections.boundary + rejections.crossing + rejections.separation + rejections.dependent;
+}
+
+// What is known of the center of a simplex has nothing to do with another point.
+TEST(SteinerInserter, NotesNothingWhenAnotherPointIsRefused) {
+  for (int symmetry = 0; symmetry < 8; ++symmetry) {
+    SCOPED_TRACE(symmetry);
+    Bench bench({turned(kLower, symmetry), turned(kUpper, symmetry)});
+    const std::uint64_t hash = bench.triangulation().hash();
+    const std::vector<std::pair<Point2, Verdict>> refused = {{{1, -2}, Verdict::crossing},
+                                                             {{2.3, -1.5}, Verdict::boundary}};
+    for (const auto& [x, verdict] : refused) {
+      for (const Simplex s : bench.in_conflict_with(turned(x, symmetry))) {
+        EXPECT_EQ(bench.inserter().insert_other(bench.candidate(s, turned(x, symmetry))), verdict);
+        EXPECT_EQ(bench.inserter().rejection(s), Verdict::inserted);
+        EXPECT_EQ(total(bench.inserter().rejections()), 0U);
+        EXPECT_TRUE(bench.triangulation().validate().ok()) << bench.triangulation().validate();
+        EXPECT_EQ(bench.triangulation().hash(), hash);
+      }
+    }
+    // Nor is a refusal forgotten.
+    const Point2 center = turned({1, -2}, symmetry);
+    const Simplex s = bench.in_conflict_with(center).front();
+    EXPECT_EQ(bench.inserter().insert(bench.candidate(s, center)), Verdict::crossing);
+    Candidate<2> other = bench.candidate(s, center);
+    other.least2 = 100;
+    EXPECT_EQ(bench.inserter().insert_other(other), Verdict::separation);
+    EXPECT_EQ(bench.inserter().rejection(s), Verdict::crossing);
+    EXPECT_EQ(total(bench.inserter().rejections()), 1U);
+
+    Bench square({turned(kSquare, symmetry)});
+    const Simplex at = square.in_conflict_with({0, 0}).front();
+    const std::size_t vertices = square.inserter().num_vertices();
+    EXPECT_EQ(square.inserter().insert_other(square.candidate(at, {0, 0})), Verdict::inserted);
+    EXPECT_EQ(square.inserter().num_inserted(), 1U);
+    EXPECT_EQ(square.inserter().num_vertices(), vertices + 1);
+    EXPECT_TRUE(square.triangulation().validate().ok()) << square.triangulation().validate();
+  }
+}
+
+// The nearest vertices of the middle of the square are at distance 4, gated 1.
+TEST(SteinerInserter, KeepsTheDistanceThatACandidateAsksFor) {
+  constexpr double kMost = 1 - 0x1p-50;  // distances are taken for a little less than they are
+  for (const double least2 : {0.0, 0.5, kMost, std::nextafter(kMost, 2), 1.0, 2.0}) {
+    SCOPED_TRACE(least2);
+    Bench bench({kSquare});
+    const Simplex s = bench.in_conflict_with({0, 0}).front();
+    Candidate<2> candidate = bench.candidate(s, {0, 0});
+    candidate.least2 = least2;
+    const Verdict expected = least2 > kMost ? Verdict::separation : Verdict::inserted;
+    EXPECT_EQ(bench.inserter().insert(candidate), expected);
+    if (expected != Verdict::inserted) {
+      EXPECT_EQ(bench.inserter().rejection(s), expected);
+    }
+  }
+  // It does not replace that of all.
+  Bench bench({kSquare});
+  const Point2 near{-3.9, 3.9};
+  Candidate<2> candidate = bench.candidate(bench.in_conflict_with(near).front(), near);
+  candidate.least2 = 1e-6;
+  EXPECT_EQ(bench.inserter().insert_other(candidate), Verdict::separation);
+}
+
+TEST(SteinerInserter, DescribesAnOffSinkByTheSimplexItIsIn) {
+  Random random(7);
+  std::vector<Point2> interior;
+  for (int i = 0; i < 60; ++i) interior.push_back({uniform(random, -2, 2), uniform(random, -2, 2)});
+  Bench bench({kSquare}, interior);
+  OffSinkWalk<2> walk;
+  std::size_t elsewhere = 0;
+  for (const Simplex s : bench.inserter().low_quality()) {
+    SCOPED_TRACE(testing::Message() << s);
+    const double length2 = shape<2>(bench.triangulation().complex().corners(s)).shortest2;
+    for (const double reach : {1.0, 1.5, 3.0}) {
+      const auto found = walk(bench.flow(), s, reach * reach * length2);
+      Candidate<2> candidate;
+      ASSERT_TRUE(bench.inserter().make_off_sink(s, reach, candidate));
+      ASSERT_TRUE(found);
+      EXPECT_EQ(candidate.owner, s);
+      EXPECT_EQ(candidate.owner_birth, bench.inserter().birth(s));
+      EXPECT_EQ(candidate.simplex, found->simplex);
+      EXPECT_EQ(candidate.birth, bench.inserter().birth(found->simplex));
+      for (std::size_t i = 0; i <= 2; ++i) {
+        EXPECT_EQ(candidate.corners[i], *bench.triangulation().complex().corners(found->simplex)[i]);
+      }
+      EXPECT_EQ(bench.triangulation().complex().point(candidate.corner), candidate.corners[0]);
+      EXPECT_EQ(candidate.point, found->point);
+      EXPECT_FALSE(candidate.is_center);
+      EXPECT_EQ(candidate.radius2, found->distance2);
+      EXPECT_EQ(candidate.tie, bench.inserter().tie(s));
+      EXPECT_LE(candidate.least2, length2);
+      EXPECT_NEAR(std::sqrt(candidate.least2), std::sqrt(length2), 0x1p-49);
+      elsewhere += found->simplex != s ? 1 : 0;
+    }
+  }
+  EXPECT_GT(elsewhere, 10U);
+  EXPECT_EQ(total(bench.inserter().rejections()), 0U);
+}
+
+TEST(SteinerInserter, RejectsASimplexWhoseChainLeadsOutside) {
+  Bench bench({{{0, 0}, {4, 0}, {2, 0.5}}});
+  ASSERT_EQ(bench.inserter().low_quality().size(), 1U);
+  const Simplex s = bench.inserter().low_quality().front();
+  Candidate<2> candidate;
+  EXPECT_TRUE(bench.inserter().make_off_sink(s, 1, candidate));  // left before
+  EXPECT_FALSE(bench.inserter().is_rejected(s));
+  EXPECT_FALSE(bench.inserter().make_off_sink(s, 10, candidate));
+  EXPECT_EQ(bench.inserter().rejection(s), Verdict::crossing);
+  EXPECT_EQ(bench.inserter().rejections().crossing, 1U);
+}
+
+// Not where its point lies: the center of that simplex is another matter.
+TEST(SteinerInserter, NotesARefusalAtTheOwnerWhileItLives) {
+  Bench bench({kSquare});
+  const Point2 x{1, -3};
+  const std::vector<Simplex> holding = bench.in_conflict_with(x);
+  const auto all = bench.domain().simplices();
+  const auto other = std::find_if(all.begin(), all.end(), [&](Simplex s) {
+    return std::find(holding.begin(), holding.end(), s) == holding.end();
+  });
+  ASSERT_NE(other, all.end());
+  Candidate<2> candidate = bench.candidate(holding.front(), x);
+  candidate.owner = *other;
+  candidate.owner_birth = bench.inserter().birth(*other) + 1;  // another one in its place
+  EXPECT_EQ(bench.inserter().insert(candidate), Verdict::boundary);
+  EXPECT_EQ(bench.inserter().rejection(*other), Verdict::inserted);
+  candidate.owner_birth = bench.inserter().birth(*other);
+  EXPECT_EQ(bench.inserter().insert(candidate), Verdict::boundary);
+  EXPECT_EQ(bench.inserter().rejection(*other), Verdict::boundary);
+  EXPECT_EQ(bench.inserter().rejection(holding.front()), Verdict::inserted);
+}
+
 }  // namespace
 }  // namespace sinkmesh
