@@ -14,16 +14,13 @@
 namespace sinkmesh {
 namespace {
 
-// from + distance direction / |direction|. The direction may be so long that its square overflows.
+// from + distance direction / |direction|. Gated simplices are not so flat that the square of a vector to their
+// centers would overflow: below 2^754.
 template <int Dim>
-Point<Dim> at_distance(const Point<Dim>& from, Point<Dim> direction, double distance) {
-  double largest = 0;
-  for (const double x : direction) largest = std::max(largest, std::abs(x));
-  for (double& x : direction) x /= largest;
+Point<Dim> at_distance(Point<Dim> from, const Point<Dim>& direction, double distance) {
   const double scale = distance / std::sqrt(dot(direction, direction));
-  Point<Dim> result = from;
-  for (std::size_t k = 0; k < Dim; ++k) result[k] += scale * direction[k];
-  return result;
+  for (std::size_t k = 0; k < Dim; ++k) from[k] += scale * direction[k];
+  return from;
 }
 
 // Between the midpoint of the shortest edge and the circumcenter, in the plane that halves that edge.
@@ -46,16 +43,10 @@ Point<Dim> off_center(Corners<Dim> corners, double reach2) {
                           std::sqrt(reach2 - shortest2 / 4));
 }
 
-// On the Voronoi edge of a facet, on the side that it is counterclockwise from.
+// On the Voronoi edge of a facet, on the side from which it is counterclockwise. What is rounded here does not
+// depend on the order of the corners.
 template <int Dim>
-Point<Dim> on_voronoi_edge(FacetCorners<Dim> facet, double reach2) {
-  // Rounding then depends on the facet alone. In the plane there is one order anyway.
-  if constexpr (Dim == 3) {
-    std::rotate(
-        facet.begin(),
-        std::min_element(facet.begin(), facet.end(), [](const Point3* a, const Point3* b) { return *a < *b; }),
-        facet.end());
-  }
+Point<Dim> on_voronoi_edge(const FacetCorners<Dim>& facet, double reach2) {
   return at_distance<Dim>(facet_center<Dim>(facet), facet_normal<Dim>(facet),
                           std::sqrt(std::max(0.0, reach2 - facet_shape<Dim>(facet).radius2)));
 }

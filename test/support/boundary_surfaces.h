@@ -86,10 +86,10 @@ inline Surface3 wedge(double degrees) {
 }
 
 /// Schoenhardt's polyhedron: a twisted prism that no tetrahedra without further points fill.
-inline Surface3 schoenhardt() {
+inline Surface3 schoenhardt(double twist = 30) {
   Surface3 s;
   for (int k = 0; k < 6; ++k) {
-    const double angle = (k % 3 * 120 + (k < 3 ? 0 : -30)) * std::numbers::pi / 180;
+    const double angle = (k % 3 * 120 + (k < 3 ? 0 : -twist)) * std::numbers::pi / 180;
     s.points.push_back({std::cos(angle), std::sin(angle), k < 3 ? 0.0 : 1.0});
   }
   s.facets = {{0, 2, 1}, {3, 4, 5}};
