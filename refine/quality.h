@@ -3,7 +3,9 @@
 // How good a simplex is: the ratio r/l of circumradius to shortest edge [EG01, 4.3], and its angles.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -46,6 +48,20 @@ struct Angles {
 template <int Dim>
 Angles angles(const Corners<Dim>& corners);
 
+/// The extremes of many angles, as squares of cotangents with their signs.
+struct Cotangents {
+  double largest = -HUGE_VAL;
+  double smallest = HUGE_VAL;
+
+  void include(double signed_square) {
+    largest = std::max(largest, signed_square);
+    smallest = std::min(smallest, signed_square);
+  }
+  /// In degrees.
+  double smallest_angle() const;
+  double largest_angle() const;
+};
+
 /// Volume divided by the longest edge to the power of Dim; rounded.
 template <int Dim>
 double flatness(const Corners<Dim>& corners);
@@ -68,8 +84,8 @@ class QualityStatistics {
   double min_ratio() const;
   double average_ratio() const;
   double max_ratio() const;
-  double min_angle() const { return angles_.min; }
-  double max_angle() const { return angles_.max; }
+  double min_angle() const { return cotangents_.smallest_angle(); }
+  double max_angle() const { return cotangents_.largest_angle(); }
   const std::array<std::uint64_t, kBins.size()>& histogram() const { return histogram_; }
 
  private:
@@ -79,7 +95,7 @@ class QualityStatistics {
   double min2_ = HUGE_VAL;
   double max2_ = 0;
   double sum_ = 0;
-  Angles angles_{180, 0};
+  Cotangents cotangents_;
   std::array<std::uint64_t, kBins.size()> histogram_{};
 };
 
