@@ -43,22 +43,31 @@ bool SphereSet<Dim>::is_orthogonal(const Sphere& a, const Sphere& b) const {
 
 template <int Dim>
 bool SphereSet<Dim>::is_orthogonal_to_all(const Sphere& sphere) const {
+  const auto is_far = [&](const std::vector<std::uint32_t>& ids) {
+    return std::all_of(ids.begin(), ids.end(),
+                       [&](std::uint32_t i) { return is_orthogonal(sphere, spheres_[i]); });
+  };
   for (const Level& level : levels_) {
     // Closer than orthogonal means distance < sqrt(r^2 + R^2) < r + R; the factor covers the rounding of both
     // radii.
     const double reach = (std::sqrt(sphere.radius2) + std::ldexp(1.0, level.exponent)) * (1 + 0x1p-20);
     Cell low;
     Cell high;
+    double num_cells = 1;
     for (std::size_t k = 0; k < Dim; ++k) {
       low[k] = cell_of(sphere.center[k] - reach, level.exponent);
       high[k] = cell_of(sphere.center[k] + reach, level.exponent);
+      num_cells *= static_cast<double>(high[k] - low[k] + 1);
+    }
+    if (num_cells > static_cast<double>(level.cells.size())) {  // a large sphere among small ones
+      for (const auto& [cell, ids] : level.cells) {
+        if (!is_far(ids)) return false;
+      }
+      continue;
     }
     for (Cell cell = low;;) {
-      if (const auto found = level.cells.find(cell); found != level.cells.end()) {
-        for (const std::uint32_t i : found->second) {
-          if (!is_orthogonal(sphere, spheres_[i])) return false;
-        }
-      }
+      const auto found = level.cells.find(cell);
+      if (found != level.cells.end() && !is_far(found->second)) return false;
       std::size_t k = 0;
       while (k < Dim && ++cell[k] > high[k]) {
         cell[k] = low[k];

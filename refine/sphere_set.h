@@ -27,8 +27,9 @@ class SphereSet {
     std::optional<std::array<Point<Dim>, Dim + 1>> corners = {};
   };
 
-  /// Whether the sphere is orthogonal to or further from every sphere in the set. Fast if no sphere in the set
-  /// is much smaller: add spheres by decreasing radius.
+  /// Whether the sphere is orthogonal to or further from every sphere in the set.
+  /// Cost: constant for each binade of radii if no sphere in the set is much smaller, as when they are added by
+  /// decreasing radius; at worst linear.
   bool is_orthogonal_to_all(const Sphere& sphere) const;
   void add(const Sphere& sphere);
 
