@@ -17,9 +17,10 @@ class Stop(ProgramTest):
     def setUp(self):
         super().setUp()
         self.input = self.write("in.off", off(ellipsoid(6, jitter=0)))
-        # As fine as is allowed: far longer than any of these tests waits.
-        self.arguments = ["refine", self.input, "-o", self.path("out.vtu"), "--ratio", "1", "--report",
-                          self.path("report.json"), "--history", self.path("history.csv")]
+        # As fine as is allowed, in the slowest way: soon begun, and far longer than any of these tests waits.
+        self.arguments = ["refine", self.input, "-o", self.path("out.vtu"), "--ratio", "1", "--boundary", "fixed",
+                          "--insert", "circumcenter", "--schedule", "parallel", "--report", self.path("report.json"),
+                          "--history", self.path("history.csv")]
 
     def check_result(self, stop):
         report = self.report()
@@ -83,12 +84,12 @@ class Stop(ProgramTest):
 
     def test_time_limit(self):
         start = time.monotonic()
-        self.succeed(*self.arguments, "--time-limit", "0.5", status=3)
+        self.succeed(*self.arguments, "--time-limit", "1", status=3)
         self.assertLess(time.monotonic() - start, 30)
         self.check_result("budget")
 
     def test_no_progress_without_a_terminal(self):
-        result = self.run_program(*self.arguments, "--time-limit", "0.5")
+        result = self.run_program(*self.arguments, "--time-limit", "1")
         self.assertEqual((result.returncode, result.stderr), (3, b""))
 
     def test_a_budget_that_was_not_needed_did_not_stop_anything(self):
