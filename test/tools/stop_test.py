@@ -95,12 +95,12 @@ class Stop(ProgramTest):
     def test_a_budget_that_was_not_needed_did_not_stop_anything(self):
         surface = str(MODELS / "cuboctahedron.off")  # at the end nothing of low quality is left
         for schedule in ("incremental", "block", "parallel"):
-            self.succeed("refine", surface, "-o", self.path("a.vtu"), "--schedule", schedule, "--report",
-                         self.path("report.json"))
+            arguments = ["refine", surface, "-o", self.path("a.vtu"), "--insert", "sink", "--schedule", schedule,
+                         "--report", self.path("report.json"), "--max-vertices"]
+            self.succeed(*arguments, 10**6)
             vertices = self.report()["final"]["vertices"]
-            self.succeed("refine", surface, "-o", self.path("b.vtu"), "--schedule", schedule, "--max-vertices", vertices)
-            self.succeed("refine", surface, "-o", self.path("b.vtu"), "--schedule", schedule, "--max-vertices",
-                         vertices - 1, status=3)
+            self.succeed(*arguments, vertices)
+            self.succeed(*arguments, vertices - 1, status=3)
 
 
 if __name__ == "__main__":
