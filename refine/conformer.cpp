@@ -355,7 +355,9 @@ std::optional<SubSegment> Conformer<Dim>::encroached_segment(const PatchTriangul
       for (std::size_t k = 0; k < 3; ++k) {
         if (boundary_->sub_facets()[f].segment[k] != SubFacets<3>::kNone) continue;
         const SubFacet next = boundary_->sub_facets().across(f, k).facet;
-        if (std::find(found.begin(), found.end(), next) != found.end()) continue;
+        // A patch that is joined across more than rounding may be folded; then an edge of it may have no other
+        // side.
+        if (next.is_null() || std::find(found.begin(), found.end(), next) != found.end()) continue;
         if (triangulation_->predicates().diametral_side(boundary_->corner_points(next), x) < 0) {
           found.push_back(next);
         }

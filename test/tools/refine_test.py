@@ -205,6 +205,14 @@ class Refine(ProgramTest):
         self.assertEqual(self.files(), ["holed.off", "in.off"])
 
     @needs_data
+    def test_patches_that_are_joined_too_boldly_end_with_a_line(self):
+        model = DATA / "real" / "hand.off"
+        for flat in ("1e-4", "3e-3"):
+            message = self.fail_with_one_line(3, "refine", model, "-o", self.path("out.vtu"), "--flat", flat)
+            self.assertIn("could not be divided", message)
+            self.assertEqual(self.files(), ["in.off"])
+
+    @needs_data
     def test_a_model_of_the_paper(self):
         model = DATA / "paper" / "cuboctahedron.off"
         for insert, simplices in (("sink", 16258), ("offsink", 13850)):

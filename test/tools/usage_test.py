@@ -43,6 +43,7 @@ class Usage(ProgramTest):
             ["refine", surface, *out, "--order", "largest"],
             ["refine", surface, *out, "--reach", "0.99"],
             ["refine", surface, *out, "--reach", "far"],
+            ["refine", surface, *out, "--reach", "nan"],
             ["refine", surface, *out, "--boundary", "peel"],
             ["refine", surface, *out, "--small-angle", "0"],
             ["refine", surface, *out, "--small-angle", "60.5"],

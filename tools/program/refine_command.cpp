@@ -298,7 +298,7 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   command
       ->add_option("--reach", arguments.reach,
                    "Distance of an off-sink from the vertices, in units of the ratio times the shortest edge")
-      ->check(CLI::Range(1.0, 1e6))
+      ->check(at_least(1, "below it the simplices of an off-sink are of low quality again"))
       ->type_name("FACTOR")
       ->default_str("1.3; in the plane 1.5");
   command
