@@ -5,23 +5,16 @@
 #include <cmath>
 
 #include "core/location.h"
+#include "core/vector.h"
 
 namespace sinkmesh {
 namespace {
-
-// Rounded: distances only tell where to look first.
-template <int Dim>
-double squared_distance(const Point<Dim>& p, const Point<Dim>& q) {
-  double sum = 0;
-  for (std::size_t k = 0; k < Dim; ++k) sum += (p[k] - q[k]) * (p[k] - q[k]);
-  return sum;
-}
 
 // How far the simplex reaches from p.
 template <int Dim>
 double reach2(const Complex<Dim>& complex, Simplex s, const Point<Dim>& p) {
   double reach = 0;
-  for (const Point<Dim>* q : complex.corners(s)) reach = std::max(reach, squared_distance<Dim>(*q, p));
+  for (const Point<Dim>* q : complex.corners(s)) reach = std::max(reach, squared_distance(*q, p));
   return reach;
 }
 
@@ -33,7 +26,7 @@ constexpr int kPatience = 32;
 template <int Dim>
 Simplex BulkSearch<Dim>::find(const Complex<Dim>& complex, const Predicates<Dim>& predicates,
                               const Point<Dim>& p) {
-  const bool starts_on_hull = complex.is_ghost(at_);
+  const bool starts_on_hull = complex.is_ghost(at_) && trust_in_the_hull_ > -kPatience;
   if (starts_on_hull && find_over_hull(complex, predicates, p)) {
     trust_in_the_hull_ = std::min(trust_in_the_hull_ + 1, kPatience);
     steps_ = 0;
@@ -57,8 +50,8 @@ bool BulkSearch<Dim>::find_over_hull(const Complex<Dim>& complex, const Predicat
     Simplex next;
     for (int i = 0; i < Dim; ++i) {
       const HalfFacet beyond = complex.mate(Complex<Dim>::half_facet(at_, i));
-      const double d = squared_distance<Dim>(complex.point(complex.apex(beyond)), p);
-      if (d >= nearest || d >= squared_distance<Dim>(complex.point(complex.corner(at_, i)), p)) continue;
+      const double d = squared_distance(complex.point(complex.apex(beyond)), p);
+      if (d >= nearest || d >= squared_distance(complex.point(complex.corner(at_, i)), p)) continue;
       nearest = d;
       next = Complex<Dim>::simplex_of(beyond);
     }

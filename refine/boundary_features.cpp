@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/vector.h"
 #include "predicates/constructions.h"
 #include "predicates/input_gate.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/mix.h"
+#include "core/vector.h"
 #include "predicates/input_gate.h"
 #include "refine/quality.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 namespace {

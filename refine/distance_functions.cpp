@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/star.h"
+#include "core/vector.h"
 #include "predicates/constructions.h"
 #include "refine/steepest_order.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <span>
 
+#include "core/vector.h"
 #include "predicates/circumcenter.h"
 #include "predicates/constructions.h"
 #include "predicates/input_gate.h"
 #include "refine/quality.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 namespace {

@@ -20,7 +20,7 @@ enum class Insert : std::uint8_t {
   sink,          ///< the sinks of the simplex: where its circumcenter flows to [EG01, 4.3]
   circumcenter,  ///< its own circumcenter
   /// The point on the way from its shortest edge to its sink that is far enough from all vertices to leave good
-  /// simplices, and no farther: the fewest points [OS].
+  /// simplices, and no farther: few points on large models [OS].
   off_sink,
 };
 
@@ -120,8 +120,8 @@ struct RefineOptions {
 ///         its range, or if `literal` is asked of the incremental schedule, or of off-sinks.
 void require_valid(const RefineOptions& options);
 
-/// The one that leaves the fewest simplices: with off-sinks the shortest edge first, in space within a boundary
-/// that is kept the smallest simplex [OS, 0]. Else the worst ratio, as in [EG01, 4.5].
+/// The one that leaves few simplices on large models: with off-sinks the shortest edge first, in space within a
+/// boundary that is kept the smallest simplex [OS, 0]. Else the worst ratio, as in [EG01, 4.5].
 template <int Dim>
 constexpr Order default_order(Insert insert, bool divides_boundary) {
   if (insert != Insert::off_sink) return Order::ratio;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "refine/vector.h"
+#include "core/vector.h"
 
 namespace sinkmesh {
 namespace {

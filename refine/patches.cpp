@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/vector.h"
 #include "predicates/constructions.h"
 #include "predicates/predicates.h"
 #include "refine/quality.h"
 #include "refine/ridge_uses.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 namespace {

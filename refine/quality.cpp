@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "refine/vector.h"
+#include "core/vector.h"
 
 namespace sinkmesh {
 namespace {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/mix.h"
+#include "core/vector.h"
 #include "refine/boundary.h"
 #include "refine/budget.h"
 #include "refine/conformer.h"
@@ -18,7 +19,6 @@
 #include "refine/refiner.h"
 #include "refine/self_intersections.h"
 #include "refine/surface_check.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 namespace {

@@ -118,8 +118,8 @@ double Refiner<Dim>::priority(const Shape& shape) const {
 }
 
 template <int Dim>
-bool Refiner<Dim>::make_candidate(Simplex owner, Candidate<Dim>& candidate) {
-  if (options_.insert != Insert::off_sink) return inserter_.make_center(owner, candidate);
+bool Refiner<Dim>::make_candidate(Simplex owner, bool own_center, Candidate<Dim>& candidate) {
+  if (own_center || options_.insert != Insert::off_sink) return inserter_.make_center(owner, candidate);
   return inserter_.make_off_sink(owner, options_.reach.value_or(kDefaultReach<Dim>), candidate);
 }
 

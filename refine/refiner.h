@@ -20,7 +20,7 @@ namespace sinkmesh {
 /// those left can be mended. The triangulation is Delaunay and the domain stable whenever a callback runs, and
 /// at the end.
 ///
-/// Order of work: by geometry alone (ratio, circumradius; ties by a hash of the coordinates), so that the mesh
+/// Order of work: by geometry alone (Order, circumradius; ties by a hash of the coordinates), so that the mesh
 /// depends neither on numbering nor on how the triangulation was built.
 ///
 /// Termination: SteinerInserter. Every pass of every loop below takes an entry from a finite queue, inserts a
@@ -85,15 +85,14 @@ class Refiner {
   bool visit_owners(Simplex s, Visit&& visit) {
     return options_.insert == Insert::sink ? sink_walk_(*flow_, s, visit) : visit(s);
   }
-  // Of an owner: its center, or its off-sink.
-  bool make_candidate(Simplex owner, Candidate<Dim>& candidate);
-  bool insert_point_of(Simplex owner);
-  bool insert_center_of(Simplex s);
+  // The point of an owner: its center, or its off-sink.
+  bool make_candidate(Simplex owner, bool own_center, Candidate<Dim>& candidate);
+  bool insert_point_of(Simplex owner, bool own_center);
   bool try_insert(const Candidate<Dim>& candidate);
   // The order of work: the highest first; at least 1.
   double priority(const Shape& shape) const;
 
-  // Rounds: candidates by decreasing radius.
+  // Rounds: candidates by decreasing priority.
   std::vector<Candidate<Dim>> collect(bool own_centers);
   void insert_block(const std::vector<Candidate<Dim>>& candidates);
   void insert_independent(const std::vector<Candidate<Dim>>& candidates);

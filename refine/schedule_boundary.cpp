@@ -9,9 +9,9 @@
 
 #include "core/location.h"
 #include "core/mix.h"
+#include "core/vector.h"
 #include "predicates/input_gate.h"
 #include "refine/refiner.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 
@@ -70,8 +70,9 @@ bool Refiner<Dim>::divide_for(Simplex s) {
   if (has_center && insert_withdrawn(center, relaxed2)) return true;
   if (options_.insert != Insert::circumcenter && visit_owners(s, [&](Simplex owner) {
         Candidate<Dim> candidate;
-        if (inserter_.is_hopeless(owner)) return false;
-        if (make_candidate(owner, candidate) && divide_for(candidate, relaxed2)) return true;
+        const bool is_center_of_s = owner == s && options_.insert == Insert::sink;  // its turn comes below
+        if (is_center_of_s || inserter_.is_hopeless(owner)) return false;
+        if (make_candidate(owner, false, candidate) && divide_for(candidate, relaxed2)) return true;
         if (owner != s) inserter_.give_up(owner);
         return false;
       })) {

@@ -50,25 +50,17 @@ void Refiner<Dim>::run_incremental(bool divides_boundary) {
 }
 
 template <int Dim>
-bool Refiner<Dim>::insert_point_of(Simplex owner) {
+bool Refiner<Dim>::insert_point_of(Simplex owner, bool own_center) {
   if (inserter_.is_rejected(owner)) return false;
   ++round_.candidates;
   Candidate<Dim> candidate;
-  return make_candidate(owner, candidate) && try_insert(candidate);
-}
-
-template <int Dim>
-bool Refiner<Dim>::insert_center_of(Simplex s) {
-  if (inserter_.is_rejected(s)) return false;
-  ++round_.candidates;
-  Candidate<Dim> candidate;
-  return inserter_.make_center(s, candidate) && try_insert(candidate);
+  return make_candidate(owner, own_center, candidate) && try_insert(candidate);
 }
 
 template <int Dim>
 bool Refiner<Dim>::insert_for(Simplex s) {
-  return visit_owners(s, [this](Simplex owner) { return insert_point_of(owner); }) ||
-         (has_fallback() && insert_center_of(s));
+  return visit_owners(s, [this](Simplex owner) { return insert_point_of(owner, false); }) ||
+         (has_fallback() && insert_point_of(s, true));
 }
 
 template <int Dim>

@@ -59,7 +59,7 @@ std::vector<Candidate<Dim>> Refiner<Dim>::collect(bool own_centers) {
     if (!inserter_.domain().is_inside(s)) continue;
     if (!options_.literal && inserter_.is_rejected(s)) continue;
     Candidate<Dim> candidate;
-    if (!(own_centers ? inserter_.make_center(s, candidate) : make_candidate(s, candidate))) continue;
+    if (!make_candidate(s, own_centers, candidate)) continue;
     if (!candidate.is_center) candidate.priority = priority(shape<Dim>(inserter_.complex().corners(s)));
     candidates.push_back(candidate);
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/mix.h"
-#include "refine/vector.h"
+#include "core/vector.h"
 
 namespace sinkmesh {
 namespace {

@@ -7,12 +7,12 @@
 #include <string>
 
 #include "core/mix.h"
+#include "core/vector.h"
 #include "predicates/circumcenter.h"
 #include "predicates/constructions.h"
 #include "predicates/input_gate.h"
 #include "predicates/predicates.h"
 #include "refine/quality.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 namespace {
@@ -280,15 +280,6 @@ Verdict SteinerInserter<Dim>::test(const Candidate<Dim>& candidate, std::vector<
   std::sort(closure.begin(), closure.end());
   closure.erase(std::unique(closure.begin(), closure.end()), closure.end());
   triangulation_->release(cavity_);
-  return verdict;
-}
-
-template <int Dim>
-Verdict SteinerInserter<Dim>::insert_other(const Candidate<Dim>& candidate) {
-  Simplex start;
-  Verdict verdict = locate(candidate, start);
-  if (verdict == Verdict::inserted) verdict = grow(candidate, start, [](Vertex) { return false; });
-  if (verdict == Verdict::inserted) commit(candidate.point);
   return verdict;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One Steiner point: from a simplex to its exact center, through all tests, into the complex.
+// One Steiner point: from a simplex to its exact center or a point on its chain, through all tests, into the
+// complex.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +13,13 @@
 #include <vector>
 
 #include "core/triangulation.h"
+#include "core/vector.h"
 #include "refine/boundary_features.h"
 #include "refine/domain.h"
 #include "refine/flow.h"
 #include "refine/off_sink.h"
 #include "refine/options.h"
 #include "refine/quality.h"
-#include "refine/vector.h"
 
 namespace sinkmesh {
 
@@ -71,7 +72,9 @@ struct BoundaryRules {
 ///   x lies beyond f, x has left the domain, and every way from s to x crosses the boundary, at a facet whose
 ///   outer simplex is in conflict.
 /// - separation: vertices do not move, and the nearest one stays a neighbour.
-/// So the verdict is cached, and rounds that recompute it (--literal) come to the same mesh.
+/// So the verdict is cached, and rounds that recompute it (--literal) come to the same mesh. An off-sink may
+/// move when simplices on its chain die; that its verdict is cached all the same is what keeps the count above,
+/// and why there are no literal rounds of off-sinks.
 template <int Dim>
 class SteinerInserter {
  public:
@@ -190,6 +193,11 @@ class SteinerInserter {
   Verdict insert(const Candidate<Dim>& candidate) {
     return insert(candidate, [](Vertex) { return false; });
   }
+  /// The same with another point than that of its owner. If it fails, that is not noted: what is known of the
+  /// owner stands.
+  Verdict insert_other(const Candidate<Dim>& candidate) {
+    return attempt(candidate, [](Vertex) { return false; });
+  }
 
   /// After an insertion: calls visit(v) for every vertex of the closed star of the new point, some more than
   /// once.
@@ -199,10 +207,6 @@ class SteinerInserter {
       for (int k = 0; k <= Dim; ++k) visit(complex().corner(cavity_.star(i), k));
     }
   }
-
-  /// The same with another point than the center of its simplex, which lives. If it fails, that is not noted:
-  /// what is known of the center stands.
-  Verdict insert_other(const Candidate<Dim>& candidate);
 
   std::size_t num_prestars() const { return num_prestars_; }
   std::size_t num_inserted() const { return num_inserted_; }
@@ -222,6 +226,8 @@ class SteinerInserter {
 
   template <class IsTaken>
   Verdict grow(const Candidate<Dim>& candidate, Simplex start, IsTaken&& is_taken);
+  template <class IsTaken>
+  Verdict attempt(const Candidate<Dim>& candidate, IsTaken&& is_taken);
   Verdict refuse(const Candidate<Dim>& candidate, Verdict verdict);
   Verdict locate(const Candidate<Dim>& candidate, Simplex& start);
   void commit(const Point<Dim>& x);
@@ -329,13 +335,19 @@ Verdict SteinerInserter<Dim>::grow(const Candidate<Dim>& candidate, Simplex star
 
 template <int Dim>
 template <class IsTaken>
-Verdict SteinerInserter<Dim>::insert(const Candidate<Dim>& candidate, IsTaken&& is_taken) {
+Verdict SteinerInserter<Dim>::attempt(const Candidate<Dim>& candidate, IsTaken&& is_taken) {
   Simplex start;
   Verdict verdict = locate(candidate, start);
   if (verdict == Verdict::inserted) verdict = grow(candidate, start, is_taken);
-  if (verdict != Verdict::inserted) return refuse(candidate, verdict);
-  commit(candidate.point);
+  if (verdict == Verdict::inserted) commit(candidate.point);
   return verdict;
+}
+
+template <int Dim>
+template <class IsTaken>
+Verdict SteinerInserter<Dim>::insert(const Candidate<Dim>& candidate, IsTaken&& is_taken) {
+  const Verdict verdict = attempt(candidate, is_taken);
+  return verdict == Verdict::inserted ? verdict : refuse(candidate, verdict);
 }
 
 extern template class SteinerInserter<2>;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "refine/vector.h"
+#include "core/vector.h"
 #include "test/models/model_facts.h"
 #include "tools/models/outline_simplifier.h"
 #include "tools/models/planar_region.h"

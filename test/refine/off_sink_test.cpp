@@ -13,9 +13,9 @@
 #include <tuple>
 
 #include "core/triangulation.h"
+#include "core/vector.h"
 #include "predicates/circumcenter.h"
 #include "refine/quality.h"
-#include "refine/vector.h"
 #include "test/support/chain_oracle.h"
 #include "test/support/dimensions.h"
 #include "test/support/point_sets.h"

@@ -14,12 +14,12 @@
 
 #include "core/conflict.h"
 #include "core/mix.h"
+#include "core/vector.h"
 #include "predicates/circumcenter.h"
 #include "refine/domain.h"
 #include "refine/independence.h"
 #include "refine/off_sink.h"
 #include "refine/refiner.h"
-#include "refine/vector.h"
 #include "test/support/dimensions.h"
 #include "test/support/point_sets.h"
 #include "test/support/surfaces.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <tuple>
 
+#include "core/vector.h"
 #include "refine/refine.h"
-#include "refine/vector.h"
 #include "tools/io/read.h"
 
 namespace sinkmesh {

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/vector.h"
 #include "predicates/error.h"
-#include "refine/vector.h"
 #include "tools/reproduce/model_views.h"
 
 namespace sinkmesh::reproduce {

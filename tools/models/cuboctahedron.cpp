@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "refine/vector.h"
+#include "core/vector.h"
 #include "tools/models/models.h"
 #include "tools/models/surface_sampler.h"
 

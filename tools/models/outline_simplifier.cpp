@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/triangulation.h"
+#include "core/vector.h"
 #include "predicates/predicates.h"
-#include "refine/vector.h"
 
 namespace sinkmesh::models {
 namespace {

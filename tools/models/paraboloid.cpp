@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "refine/vector.h"
+#include "core/vector.h"
 #include "tools/models/models.h"
 #include "tools/models/surface_sampler.h"
 

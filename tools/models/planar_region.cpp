@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "core/triangulation.h"
+#include "core/vector.h"
 #include "predicates/circumcenter.h"
 #include "refine/domain.h"
 #include "refine/quality.h"
-#include "refine/vector.h"
 
 namespace sinkmesh::models {
 namespace {

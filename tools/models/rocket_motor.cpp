@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "refine/vector.h"
+#include "core/vector.h"
 #include "tools/models/models.h"
 #include "tools/models/planar_region.h"
 #include "tools/models/tube.h"

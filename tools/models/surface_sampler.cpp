@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/triangulation.h"
+#include "core/vector.h"
 #include "predicates/circumcenter.h"
 #include "refine/flow.h"
 #include "refine/quality.h"
-#include "refine/vector.h"
 
 namespace sinkmesh::models {
 namespace {

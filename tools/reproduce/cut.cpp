@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "refine/vector.h"
+#include "core/vector.h"
 
 namespace sinkmesh::reproduce {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "refine/vector.h"
+#include "core/vector.h"
 #include "tools/reproduce/occlusion.h"
 #include "tools/reproduce/palette.h"
 #include "tools/reproduce/rasterizer.h"

@@ -6,10 +6,10 @@
 #include <ctime>
 #include <stdexcept>
 
+#include "core/vector.h"
 #include "predicates/circumcenter.h"
 #include "refine/flow.h"
 #include "refine/refine.h"
-#include "refine/vector.h"
 
 namespace sinkmesh::reproduce {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/vector.h"
 #include "predicates/error.h"
-#include "refine/vector.h"
 
 namespace sinkmesh::reproduce {
 namespace {
