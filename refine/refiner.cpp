@@ -2,12 +2,22 @@
 #include "refine/refiner.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 
 #include "refine/quality.h"
 
 namespace sinkmesh {
+namespace {
+
+// Both positive: orders by the 20 highest bits of the mantissa of the first, then by the second.
+double with_low_bits(double high, float low) {
+  const std::uint64_t high_bits = std::bit_cast<std::uint64_t>(high) >> 32 << 32;
+  return std::bit_cast<double>(high_bits | std::bit_cast<std::uint32_t>(low));
+}
+
+}  // namespace
 
 template <int Dim>
 Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
@@ -104,13 +114,16 @@ void Refiner<Dim>::end_round() {
 }
 
 // 2^200 keeps the priorities of simplices of any size that doubles see in space behind the gate above 1.
+//
+// On a plate all simplices have the same shortest edge, up to rounding: of lengths that agree in 20 bits the
+// worst ratio comes first. Then large pieces are halved before small ones, and what is aligned stays so.
 template <int Dim>
 double Refiner<Dim>::priority(const Shape& shape) const {
   switch (result_.order) {
     case Order::ratio:
       return shape.ratio2();
     case Order::shortest:
-      return 0x1p200 / shape.shortest2;
+      return with_low_bits(0x1p200 / shape.shortest2, static_cast<float>(shape.ratio2()));
     case Order::smallest:
       return std::max(1.0, 0x1p200 / shape.radius2);
   }
