@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/mix.h"
+#include "core/star_walk.h"
 #include "refine/cells.h"
 #include "refine/facet_index.h"
 
@@ -62,6 +63,30 @@ void Domain<Dim>::set_walls(std::span<const Wall> walls) {
   }
 }
 
+// Whether a wall holds all corners of the least face on which a point lies.
+template <int Dim>
+bool Domain<Dim>::is_on_wall(const Location<Dim>& at) const {
+  const Complex<Dim>& complex = triangulation_->complex();
+  std::vector<Vertex> face;
+  for (int i = 0; i <= Dim; ++i) {
+    if (at.sign[static_cast<std::size_t>(i)] == 1) face.push_back(complex.corner(at.simplex, i));
+  }
+  if (face.empty() || face.size() == Dim + 1) return false;
+  const auto holds_face = [&](HalfFacet h) {
+    const auto corners = complex.facet(h);
+    return std::all_of(face.begin(), face.end(),
+                       [&](Vertex v) { return std::find(corners.begin(), corners.end(), v) != corners.end(); });
+  };
+  StarWalk<Dim> star_walk;
+  return star_walk(complex, face[0], [&](Simplex s) {
+    for (int i = 0; i <= Dim; ++i) {
+      const HalfFacet h = Complex<Dim>::half_facet(s, i);
+      if (is_wall(h) && holds_face(h)) return true;
+    }
+    return false;
+  });
+}
+
 template <int Dim>
 void Domain<Dim>::label(std::span<const Facet> facets, std::span<const Wall> walls, const Seeds<Dim>& seeds) {
   const Complex<Dim>& complex = triangulation_->complex();
@@ -83,16 +108,26 @@ void Domain<Dim>::label(std::span<const Facet> facets, std::span<const Wall> wal
   } else {
     std::fill(inside.begin() + 1, inside.end(), true);
     const auto cell_at = [&](const Point<Dim>& p, const char* what) {
-      const bool is_near = triangulation_->gate().admits(p);
-      const std::uint32_t cell = is_near
-                                     ? cells.of(triangulation_->locate(triangulation_->gate().in(p)).simplex)
-                                     : Cells<Dim>::kUnbounded;
+      std::uint32_t cell = Cells<Dim>::kUnbounded;
+      if (triangulation_->gate().admits(p)) {
+        const Location<Dim> at = triangulation_->locate(triangulation_->gate().in(p));
+        if (is_on_wall(at)) throw InputError(std::string("a ") + what + " of the surface lies on it: move it");
+        cell = cells.of(at.simplex);
+      }
       if (cell == Cells<Dim>::kUnbounded) {
         throw InputError(std::string("a ") + what + " of the surface is not enclosed by it: remove or move it");
       }
       return cell;
     };
     for (const auto& region : seeds.regions) tagged.emplace_back(cell_at(region.point, "region"), region.tag);
+    for (const auto& [cell, tag] : tagged) {
+      const auto first =
+          std::find_if(tagged.begin(), tagged.end(), [&, c = cell](const auto& t) { return t.first == c; });
+      if (first->second == tag) continue;
+      throw InputError("two regions of the surface, with the attributes " + std::to_string(first->second) +
+                       " and " + std::to_string(tag) +
+                       ", are one, nothing lies between them: remove one of the points");
+    }
     for (const Point<Dim>& hole : seeds.holes) inside[cell_at(hole, "hole")] = false;
   }
   if (std::find(inside.begin(), inside.end(), true) == inside.end()) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/location.h"
 #include "core/triangulation.h"
 #include "refine/flow.h"
 #include "refine/surface.h"
@@ -128,6 +129,7 @@ class Domain {
     }
   }
   void set_walls(std::span<const Wall> walls);
+  bool is_on_wall(const Location<Dim>& at) const;
   void number_regions(const std::vector<std::uint32_t>& cell, std::vector<bool> inside,
                       const std::vector<std::pair<std::uint32_t, std::int64_t>>& tagged);
 

@@ -245,6 +245,9 @@ struct RefineResult {
   std::size_t inserted = 0;
   Rejections rejected;
   Remaining remaining;
+  /// Circumcenters to which the boundary bars the way; a finished run brings them inside. Counted only if it
+  /// ended early.
+  std::size_t centers_beyond = 0;
   /// Of `inserted`, those on the boundary.
   std::size_t points_on_segments = 0;
   std::size_t points_on_patches = 0;

@@ -37,6 +37,9 @@ struct Fold {
   std::uint32_t first;
   std::uint32_t second;
   double angle;  ///< between them, in radians
+
+  /// The two facets need about 1 / angle^2 points to be Delaunay: that would be too many.
+  bool is_too_sharp() const { return angle < 0x1p-16; }
 };
 
 /// The two facets that meet at the smallest angle, if there are two. Rounded. Log-linear.

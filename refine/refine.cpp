@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <string>
 
@@ -19,36 +19,10 @@
 #include "refine/refiner.h"
 #include "refine/self_intersections.h"
 #include "refine/surface_check.h"
+#include "refine/used_points.h"
 
 namespace sinkmesh {
 namespace {
-
-// The points that facets use, without gaps. Unused points of a surface must not become vertices of the mesh.
-template <int Dim>
-struct UsedPoints {
-  std::vector<Point<Dim>> points;
-  std::vector<std::uint32_t> input_id;  // of each
-  std::vector<std::array<Vertex, Dim>> facets;
-
-  explicit UsedPoints(const Surface<Dim>& surface) {
-    std::vector<std::uint32_t> new_id(surface.points.size(), 0);
-    for (const auto& facet : surface.facets) {
-      for (const std::uint32_t p : facet) new_id[p] = 1;
-    }
-    for (std::uint32_t p = 0; p < new_id.size(); ++p) {
-      if (new_id[p] == 0) continue;
-      new_id[p] = static_cast<std::uint32_t>(points.size());
-      points.push_back(surface.points[p]);
-      input_id.push_back(p);
-    }
-    facets.reserve(surface.facets.size());
-    for (const auto& facet : surface.facets) {
-      std::array<Vertex, Dim> corners;
-      for (std::size_t k = 0; k < Dim; ++k) corners[k] = Vertex(new_id[facet[k]]);
-      facets.push_back(corners);
-    }
-  }
-};
 
 template <int Dim>
 std::array<std::uint32_t, Dim + 1> corner_ids(const Complex<Dim>& complex, Simplex s) {
@@ -154,17 +128,16 @@ BoundaryResult SurfaceMesher<Dim>::State::find_fixed() {
   return result;
 }
 
-// At a dihedral angle a the two facets need about 1/a^2 points.
 template <int Dim>
 void SurfaceMesher<Dim>::State::require_room_between_facets() const {
   if constexpr (Dim == 3) {
-    constexpr double kLeastAngle = 0x1p-16;
     const std::optional<Fold> fold = sharpest_fold(triangulation.complex(), used.facets);
-    if (!fold || fold->angle >= kLeastAngle) return;
-    throw InputError(
+    if (!fold || !fold->is_too_sharp()) return;
+    throw FacetError(
+        fold->first,
         "facets " + std::to_string(fold->first) + " and " + std::to_string(fold->second) +
-        " of the surface meet at an angle of less than a thousandth of a degree: remove one of them, "
-        "or move them apart");
+            " of the surface meet at an angle of less than a thousandth of a degree: remove one of them, "
+            "or move them apart");
   }
 }
 
@@ -230,11 +203,13 @@ BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
   const std::vector<HalfFacet> found = state.domain.find(state.used.facets);
   const auto missing = static_cast<std::size_t>(std::count(found.begin(), found.end(), HalfFacet()));
   if (mode == BoundaryMode::fixed && missing != 0) {
-    throw InputError(
+    const auto first =
+        static_cast<std::size_t>(std::find(found.begin(), found.end(), HalfFacet()) - found.begin());
+    throw FacetError(
+        first,
         std::to_string(missing) + " of " + count_of(state.used.facets.size(), "facet", "facets") +
-        " of the surface are not in the Delaunay triangulation of its vertices (the first is facet " +
-        std::to_string(std::find(found.begin(), found.end(), HalfFacet()) - found.begin()) +
-        "): let the boundary be refined, or divide them into smaller ones");
+            " of the surface are not in the Delaunay triangulation of its vertices (the first is facet " +
+            std::to_string(first) + "): let the boundary be refined, or divide them into smaller ones");
   }
   if (mode != BoundaryMode::refine && missing == 0) {
     state.domain.label(state.used.facets, Domain<Dim>::walls_at(found), state.seeds);
@@ -255,12 +230,20 @@ RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
     return result;
   }
   const std::size_t before = state.triangulation.complex().num_vertices();
-  Refiner<Dim> refiner(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer,
-                       state.rules, options);
+  const auto make_refiner = [&] {
+    return Refiner<Dim>(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer,
+                        state.rules, options);
+  };
+  Refiner<Dim> refiner = make_refiner();
   RefineResult result = refiner.run();
   state.leftovers = refiner.leftovers();
   if (refiner.last_valid() == nullptr) return result;
   state.restore(*refiner.last_valid());
+  Refiner<Dim> restored = make_refiner();
+  const RefineResult seen = restored.look();
+  result.remaining = seen.remaining;
+  result.centers_beyond = seen.centers_beyond;
+  state.leftovers = restored.leftovers();
   result.inserted = state.triangulation.complex().num_vertices() - before;
   result.points_on_segments = state.count_vertices(Feature::Kind::segment, before);
   result.points_on_patches = state.count_vertices(Feature::Kind::patch, before);
@@ -320,9 +303,10 @@ void SurfaceMesher<Dim>::State::require_no_crossing() const {
   }
   const std::vector<FacetPair> first = self_intersections(surface, 1);
   if (first.empty()) return;
-  throw InputError(
+  throw FacetError(
+      first[0].first,
       "facets " + std::to_string(first[0].first) + " and " + std::to_string(first[0].second) +
-      " of the surface cross, touch or overlap: cut them along their intersection, or move them apart");
+          " of the surface cross, touch or overlap: cut them along their intersection, or move them apart");
 }
 
 template <int Dim>
@@ -340,14 +324,26 @@ std::vector<Leftover<Dim>> SurfaceMesher<Dim>::leftovers() const {
   return result;
 }
 
-// Ids of the complex to ids of the mesh: input points keep theirs, Steiner points follow all of them.
+// Ids of the complex to ids of the mesh: input points keep theirs, Steiner points follow all of them; but one
+// that lies exactly where an unused input point does is that point.
 template <int Dim>
 std::vector<std::uint32_t> SurfaceMesher<Dim>::mesh_ids() const {
+  const std::vector<Point<Dim>>& given = state_->surface_points;
+  const Complex<Dim>& complex = state_->triangulation.complex();
   std::vector<std::uint32_t> ids = state_->used.input_id;
-  const std::size_t used = ids.size();
-  ids.resize(state_->triangulation.complex().num_vertices());
-  std::iota(ids.begin() + static_cast<std::ptrdiff_t>(used), ids.end(),
-            static_cast<std::uint32_t>(state_->surface_points.size()));
+  std::map<Point<Dim>, std::uint32_t> unused;
+  for (std::uint32_t p = 0, next = 0; p < given.size(); ++p) {
+    if (next < ids.size() && ids[next] == p) {
+      ++next;
+    } else {
+      unused.emplace(given[p], p);
+    }
+  }
+  auto new_id = static_cast<std::uint32_t>(given.size());
+  for (auto v = static_cast<std::uint32_t>(ids.size()); v < complex.num_vertices(); ++v) {
+    const auto same = unused.find(state_->triangulation.point(Vertex(v)));
+    ids.push_back(same != unused.end() ? same->second : new_id++);
+  }
   return ids;
 }
 
@@ -387,7 +383,7 @@ Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
   Mesh<Dim> mesh;
   mesh.points = state_->surface_points;
   for (auto v = static_cast<std::uint32_t>(state_->used.input_id.size()); v < complex.num_vertices(); ++v) {
-    mesh.points.push_back(state_->triangulation.point(Vertex(v)));
+    if (id[v] == mesh.points.size()) mesh.points.push_back(state_->triangulation.point(Vertex(v)));
   }
   typename Mesh<Dim>::Field region{"region", {}};
   for (const Simplex s : state_->domain.simplices()) {

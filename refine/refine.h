@@ -30,9 +30,9 @@ class SurfaceMesher {
   /// `refine`), or after peeling to the maximal stable subcomplex (`fixed`). Call it once.
   /// @param options  boundary, and the budgets; conforming obeys them, too.
   /// @return what was done; unless ok() there is no domain.
-  /// @throws InputError with mode `fixed` if facets of the surface are no facets of the triangulation (how
-  ///         many, and the first), or if nothing stable remains; with any mode if the surface crosses itself or
-  ///         bounds nothing.
+  /// @throws FacetError with mode `fixed` if facets of the surface are no facets of the triangulation (how
+  ///         many, and the first); with any mode if the surface crosses itself, or two facets meet at less than
+  ///         a thousandth of a degree. InputError if it bounds nothing, or in mode `fixed` nothing stable.
   BoundaryResult find_domain(const RefineOptions& options = {});
 
   /// Inserts Steiner points until no simplex of the domain has r/l above options.max_ratio, or none can be
@@ -50,9 +50,10 @@ class SurfaceMesher {
   /// whatever the numbering.
   std::uint64_t hash() const;
   /// The domain as plain arrays, in the units of the input. All points of the surface come first, the unused
-  /// ones too, with their ids; then the Steiner points. Fields: of simplices their "region", counted from 1,
-  /// and its "tag" if the surface has region seeds; of boundary facets the "parent", the facet of the surface
-  /// of which they are a part, and its "tag" if facets have tags.
+  /// ones too, with their ids; then the Steiner points, but for those that lie where an unused point does,
+  /// which is used then. Fields: of simplices their "region", counted from 1, and its "tag" if the surface has
+  /// region seeds; of boundary facets the "parent", the facet of the surface of which they are a part, and its
+  /// "tag" if facets have tags.
   Mesh<Dim> mesh() const;
 
   const Triangulation<Dim>& triangulation() const;

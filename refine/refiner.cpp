@@ -66,6 +66,7 @@ RefineResult Refiner<Dim>::run() {
   result_.rejected = inserter_.rejections();
   result_.rejected.dependent += dependent_;
   if (is_valid_) classify_remaining();
+  if (is_valid_ && is_stopped()) result_.centers_beyond = count_centers_beyond();
   if (conformer_ != nullptr) {
     result_.points_on_segments = conformer_->points_on_segments() - on_segments_before_;
     result_.points_on_patches = conformer_->points_on_patches() - on_patches_before_;
@@ -73,6 +74,14 @@ RefineResult Refiner<Dim>::run() {
   }
   result_.separation =
       std::ldexp(std::sqrt(inserter_.separation2()), -inserter_.triangulation().gate().exponent());
+  return result_;
+}
+
+template <int Dim>
+RefineResult Refiner<Dim>::look() {
+  inserter_.measure_all();
+  classify_remaining();
+  result_.centers_beyond = count_centers_beyond();
   return result_;
 }
 
@@ -152,6 +161,7 @@ template <int Dim>
 typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s) {
   using Reason = typename Leftover<Dim>::Reason;
   if (inserter_.is_excused(s)) return Reason::small_angle;
+  if (conformer_ != nullptr && !inserter_.is_hopeless(s)) return Reason::untried;
   const double max_ratio2 = options_.max_ratio * options_.max_ratio;
   for (int i = 0; i <= Dim; ++i) {
     const HalfFacet h = Complex<Dim>::half_facet(s, i);

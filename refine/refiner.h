@@ -39,9 +39,11 @@ class Refiner {
           Conformer<Dim>& conformer, const BoundaryRules<Dim>& rules, const RefineOptions& options);
 
   RefineResult run();
+  /// Instead of run(): `remaining` and `centers_beyond` if nothing is done.
+  RefineResult look();
   /// After run(): null if the mesh is valid. Else a budget, the cancel flag or the floor has ended it in the
-  /// middle of what a point on the boundary set off, and this is the last valid state: rebuild that. What
-  /// remains is told of that state, too.
+  /// middle of what a point on the boundary set off, and this is a valid state shortly before: rebuild that,
+  /// and ask a new Refiner what remains.
   const typename Boundary<Dim>::Snapshot* last_valid() const { return is_valid_ ? nullptr : &*last_valid_; }
   /// After run(): the simplices of low quality that remain, the worst ratio first. Corners and features are
   /// those of the complex.
@@ -69,6 +71,8 @@ class Refiner {
   bool is_flat(Simplex s) const;
   bool insert_center_of_circle(Simplex s);
   HalfFacet wall_before_center(Simplex s);
+  bool is_center_beyond(Simplex s) { return !flow_->is_sink(s) && !wall_before_center(s).is_null(); }
+  std::size_t count_centers_beyond();
   bool divide_at(HalfFacet wall);
   template <class IsWanted, class Mend>
   bool mend_each(IsWanted&& is_wanted, Mend&& mend);

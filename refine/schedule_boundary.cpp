@@ -15,12 +15,17 @@
 
 namespace sinkmesh {
 
-// After a point on the boundary: the mesh is valid again when what it set off has come to its end.
+// After a point on the boundary: the mesh is valid again when what it set off has come to its end. Copying the
+// boundary whenever there is a 32nd more costs as much as the points do, and no more than that is ever lost.
 template <int Dim>
 void Refiner<Dim>::settle_boundary() {
+  constexpr std::size_t kPart = 32;
+  constexpr std::size_t kFew = 256;
   is_valid_ = conformer_->conform([this] { return may_continue(); });
   if (!is_valid_) return;
   for (const Simplex s : conformer_->label_new()) inserter_.add(s);
+  const std::size_t num_new = inserter_.complex().num_vertices() - last_valid_->num_vertices;
+  if (!is_bold_ && num_new > kFew + last_valid_->num_vertices / kPart) last_valid_ = boundary_->snapshot();
 }
 
 // At first only with points that are nearly as far from all vertices as the center for which they stand; that
@@ -39,7 +44,6 @@ void Refiner<Dim>::refine_boundary() {
   const std::size_t fixed = inserter_.num_low_quality();
   for (double lambda = conformer_->lambda();; lambda = std::max(lambda * kStep, kLeastLambda)) {
     last_valid_ = boundary_->snapshot();
-    classify_remaining();
     if (lambda != conformer_->lambda()) {
       is_bold_ = true;
       boundary_->forget_relaxed_radii();
@@ -156,6 +160,13 @@ HalfFacet Refiner<Dim>::wall_before_center(Simplex s) {
   return wall;
 }
 
+template <int Dim>
+std::size_t Refiner<Dim>::count_centers_beyond() {
+  std::size_t count = 0;
+  for (const Simplex s : inserter_.domain().simplices()) count += is_center_beyond(s) ? 1 : 0;
+  return count;
+}
+
 // Calls mend(s) for the inside simplices with is_wanted(s), in an order that only the geometry decides, while
 // they live. mend returns whether it has changed the mesh.
 template <int Dim>
@@ -184,7 +195,7 @@ bool Refiner<Dim>::mend_each(IsWanted&& is_wanted, Mend&& mend) {
 // simplex to its center is barred, the sub-facet there is divided.
 template <int Dim>
 bool Refiner<Dim>::bring_centers_inside() {
-  return mend_each([this](Simplex s) { return !flow_->is_sink(s) && !wall_before_center(s).is_null(); },
+  return mend_each([this](Simplex s) { return is_center_beyond(s); },
                    [this](Simplex s) {
                      const HalfFacet wall = wall_before_center(s);  // another one by now, or none
                      return !wall.is_null() && divide_at(wall);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "predicates/error.h"
 #include "predicates/point.h"
 
 namespace sinkmesh {
@@ -39,5 +40,17 @@ struct Surface {
 };
 using Surface2 = Surface<2>;
 using Surface3 = Surface<3>;
+
+/// The surface cannot be used because of some facets, which the message names.
+class FacetError : public InputError {
+ public:
+  FacetError(std::size_t facet, const std::string& message) : InputError(message), facet_(facet) {}
+
+  /// The first of them.
+  std::size_t facet() const { return facet_; }
+
+ private:
+  std::size_t facet_;
+};
 
 }  // namespace sinkmesh

@@ -303,5 +303,32 @@ TYPED_TEST(DomainRegions, WhatEnclosesNothingIsRefused) {
   }
 }
 
+// A point on the surface belongs to neither side, and one region has one tag.
+TYPED_TEST(DomainRegions, SeedsMustBeUnambiguous) {
+  constexpr int kDim = TypeParam::value;
+  typename TestFixture::Voxels voxels(6);
+  voxels.fill(this->all(1), this->all(5), 1);
+  const auto closed = voxels.interfaces();
+  Point<kDim> on_edge = this->all(1);
+  on_edge[0] = 2.4;
+  for (const Point<kDim>& on : {this->all(1), on_edge, this->with_first(1, 2.4), this->with_first(5, 3)}) {
+    Seeds<kDim> region;
+    region.regions.push_back({on, 7});
+    this->expect_refused(voxels, closed, region);
+    Seeds<kDim> hole;
+    hole.holes.push_back(on);
+    this->expect_refused(voxels, closed, hole);
+  }
+  for (const Point<kDim>& inside : {this->all(2), this->with_first(2, 2.4), this->with_first(3, 3.4)}) {
+    Seeds<kDim> seeds;
+    seeds.regions.push_back({inside, 7});
+    EXPECT_EQ(this->labelled(voxels, closed, seeds).tag(1), 7);
+    seeds.regions.push_back({this->all(4.4), 7});
+    EXPECT_EQ(this->labelled(voxels, closed, seeds).tag(1), 7);
+    seeds.regions.push_back({this->all(4.1), 8});
+    this->expect_refused(voxels, closed, seeds);
+  }
+}
+
 }  // namespace
 }  // namespace sinkmesh

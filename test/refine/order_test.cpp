@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -68,6 +69,7 @@ struct Listed {
   double radius2;  ///< of the ball that holds no vertex
   double length2;  ///< of the shortest edge of the owner
   double key;      ///< the least comes first; simplices with the same shortest edge are not far to seek
+  double ratio2;   ///< then the largest, where the shortest edge is the key
   std::uint64_t tie;
 };
 
@@ -85,10 +87,12 @@ std::vector<Listed<Dim>> list(Inside<Dim>& inside, double max_ratio, double reac
                        : order == Order::shortest ? shape.shortest2
                                                   : shape.radius2;
     const std::uint64_t tie = hash_points<Dim>(inside.triangulation.complex().corners(s));
-    result.push_back({s, found->point, found->distance2, shape.shortest2, key, tie});
+    const double ratio2 = order == Order::shortest ? shape.radius2 / shape.shortest2 : 0;
+    result.push_back({s, found->point, found->distance2, shape.shortest2, key, ratio2, tie});
   }
-  std::sort(result.begin(), result.end(),
-            [](const auto& a, const auto& b) { return std::pair(a.key, a.tie) < std::pair(b.key, b.tie); });
+  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+    return std::tuple(a.key, -a.ratio2, a.tie) < std::tuple(b.key, -b.ratio2, b.tie);
+  });
   std::set<Point<Dim>> met;
   inside.shared += std::erase_if(result, [&](const auto& entry) { return !met.insert(entry.point).second; });
   return result;

@@ -2,6 +2,7 @@
 """Boundary refinement in space: surfaces not Delaunay or not stable as given, regions, small angles, limits."""
 import itertools
 import math
+import re
 import unittest
 
 import exact
@@ -228,6 +229,46 @@ class Boundary(ProgramTest):
         self.assertEqual(mesh.defects(), [])
         self.assertLessEqual(len(mesh.points), 1000)
         self.assertAlmostEqual(mesh.volumes()[1], 0.01, delta=1e-12)
+
+    def test_a_limit_loses_little(self):
+        """What is divided for quality is kept, and what remains is told of what is written."""
+        for limit in (1000, 2000, 4000):
+            report = self.refine_surface(shapes.plate(100), "--max-vertices", limit, status=3)
+            self.assertGreater(report["final"]["vertices"], limit * 31 / 32 - 300)
+            self.assertEqual(report["final"]["low_quality"], report["remaining"]["total"])
+            self.assertEqual(report["remaining"]["untried"], report["remaining"]["total"])
+
+    def test_pieces_of_an_aligned_plate_stay_aligned(self):
+        """Equal tiles, as large as the bound lets them be: six tetrahedra each, of one shape."""
+        for k, insert in itertools.product((10, 30), INSERTS):
+            report = self.refine_surface(shapes.plate(k), "--insert", insert)
+            self.assertLess(report["final"]["simplices"], k * k)
+            self.assertAlmostEqual(report["final"]["ratio"]["min"], report["final"]["ratio"]["max"], delta=1e-9)
+
+    def test_unused_points_keep_their_place(self):
+        """Also where new points fall on them: no two vertices of the mesh are one."""
+        points, facets = shapes.plate(10)
+        self.refine_surface((points, facets))
+        made = exact.Mesh(self.path("out.mesh")).points[len(points):]
+        unused = [(-1.0, 0.0, 0.0), *made[::3]]
+        report = self.refine_surface(([*points, *unused], facets))
+        mesh = exact.Mesh(self.path("out.mesh"))
+        self.assertEqual(mesh.points[:len(points) + len(unused)], [tuple(map(float, p)) for p in [*points, *unused]])
+        self.assertEqual(sorted(mesh.points), sorted([*map(lambda p: tuple(map(float, p)), points), unused[0], *made]))
+        self.assertEqual(report["final"]["vertices"], len(points) + len(made))
+
+    def test_facets_that_cannot_be_divided_are_found_in_the_file(self):
+        crossing = shapes.joined(shapes.cube(), shapes.cube(0.5, 0.5, 0.5))
+        flat = ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.3, 0.3, 1e-12)], TETRAHEDRON[1])
+        for surface, words in ((crossing, "cross, touch or overlap"), (flat, "less than a thousandth of a degree")):
+            source = self.write("in.off", off(surface))
+            message = self.fail_with_one_line(1, "refine", source, "-o", self.path("out.mesh"))
+            line, facet = re.match(r".*in\.off:(\d+): facets (\d+) and \d+ of the surface ", message).groups()
+            self.assertEqual(int(line), 3 + len(surface[0]) + int(facet))
+            self.assertIn(words, message)
+        told = self.succeed("inspect", source)
+        self.assertIn(f"refine refuses the surface: facets {facet} and", told)
+        self.assertNotIn("refine divides", told)
 
     def test_order_and_orientation_do_not_matter(self):
         points, facets = EASY["l-shape"][0]

@@ -20,6 +20,11 @@ def limit_files():
     resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT, LIMIT))
 
 
+def limit_files_and_signal():
+    """The same where the signal is not ignored, which ends a program that does not expect it."""
+    resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT, LIMIT))
+
+
 class Output(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -44,6 +49,12 @@ class Output(ProgramTest):
         for arguments in self.commands():
             with self.subTest(arguments=arguments):
                 self.refuse(arguments, preexec_fn=limit_files)
+                self.assertEqual(self.files(), ["in.off"])
+
+    def test_the_signal_of_the_limit_ends_nothing(self):
+        for arguments in self.commands():
+            with self.subTest(arguments=arguments):
+                self.refuse(arguments, preexec_fn=limit_files_and_signal)
                 self.assertEqual(self.files(), ["in.off"])
 
     def test_a_write_that_fails_half_way_leaves_the_old_file(self):

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/io/file_error.h"
+#include "tools/program/surface_input.h"
 #include "tools/program/text.h"
 
 namespace sinkmesh::program {
@@ -73,6 +73,7 @@ void add_boundary(Summary& summary, const BoundaryResult& boundary, const Refine
         fmt::format("kept as given, but {} with {} of it were peeled off, from which the flow leads out",
                     simplices(boundary.peeled_simplices, dim),
                     count(boundary.peeled_facets, "facet", "facets")));
+    summary.line("", "--boundary refine loses nothing");
     return;
   }
   summary.line("boundary", asked == BoundaryMode::refine
@@ -105,10 +106,10 @@ std::string failure_line(const BoundaryResult& boundary, const std::string& path
   const std::uint32_t first = boundary.unconformed.front();
   const std::string message = fmt::format(
       "{} of {} could not be divided into Delaunay ones, the first is facet {}: no mesh is written; look there "
-      "for parts of the surface that nearly touch, or meet at a tiny angle",
+      "for parts of the surface that nearly touch, or meet at a tiny angle; --flat joins facets that are "
+      "nearly in one plane",
       grouped(boundary.unconformed.size()), count(facets, "facet", "facets"), first);
-  const std::size_t line = lines.facet(first);
-  return line == 0 ? FileError(path, message).what() : FileError(path, line, message).what();
+  return error_at(path, lines.facet(first), message).what();
 }
 
 template Json to_json(const std::vector<Leftover<2>>&);

@@ -91,7 +91,7 @@ class RefineRun {
     std::optional<History> history;
     const RefineOptions options = refine_options(history);
     progress_.phase("finding what is inside");
-    boundary_ = mesher.find_domain(options);
+    boundary_ = find_domain(mesher, options);
     lap("domain");
     if (!boundary_.ok()) return end_without_mesh(surface, mesher);
     initial_ = mesher.statistics(ratio_);
@@ -122,6 +122,14 @@ class RefineRun {
 
  private:
   void lap(const char* phase) { phases_.emplace_back(phase, watch_.lap()); }
+
+  BoundaryResult find_domain(SurfaceMesher<Dim>& mesher, const RefineOptions& options) const {
+    try {
+      return mesher.find_domain(options);
+    } catch (const FacetError& error) {
+      throw error_at(arguments_.files.input, lines_.facet(error.facet()), error.what());
+    }
+  }
 
   // The surface could not be conformed: no mesh, no history, but a report.
   ExitStatus end_without_mesh(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher) {
@@ -215,6 +223,7 @@ class RefineRun {
                           {"dependent", result_.rejected.dependent}};
     const auto leftovers = has_mesh ? mesher.leftovers() : std::vector<Leftover<Dim>>();
     report["remaining"] = to_json(result_.remaining);
+    report["centers_beyond"] = result_.centers_beyond;
     report["leftovers"] = to_json(leftovers);
     report["leftovers_total"] = leftovers.size();
     report["separation"] = result_.separation;
@@ -247,7 +256,13 @@ class RefineRun {
                                          count(result_.candidates, "candidate", "candidates")));
     add_remaining(summary, result_.remaining, ratio_);
     if (result_.stop != Stop::no_candidate) {
-      summary.line("stopped", fmt::format("early, {}; the mesh is valid", reason_to_stop(result_.stop)));
+      const std::size_t outside = result_.centers_beyond;
+      summary.line(
+          "stopped",
+          fmt::format("early, {}; the mesh is Delaunay and stable{}", reason_to_stop(result_.stop),
+                      outside == 0 ? ""
+                                   : ", but " + count(outside, "circumcenter lies", "circumcenters lie") +
+                                         " beyond the boundary"));
     }
     add_times(summary, phases_, total_);
     summary.line("output",
@@ -369,6 +384,12 @@ ExitStatus run(const RefineArguments& arguments) {
   }
   if (arguments.min_angle && arguments.ratio) {
     throw UsageError("--min-angle is another way of saying --ratio: give one of them");
+  }
+  if (arguments.fallback != "none" && arguments.insert != "sink") {
+    throw UsageError("--fallback goes with --insert sink only");
+  }
+  if (arguments.reach && arguments.insert != "offsink") {
+    throw UsageError("--reach goes with --insert offsink only");
   }
   require_distinct(arguments.files, {{"--report", arguments.report}, {"--history", arguments.history}});
   if (surface_dimension(arguments.files) == 2) return RefineRun<2>(arguments).run();

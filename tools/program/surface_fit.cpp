@@ -4,32 +4,22 @@
 #include "core/triangulation.h"
 #include "refine/domain.h"
 #include "refine/flow.h"
+#include "refine/used_points.h"
 
 namespace sinkmesh::program {
 
 template <int Dim>
 SurfaceFit fit(const Surface<Dim>& surface, double max_ratio) {
-  constexpr std::uint32_t kUnused = ~std::uint32_t{0};
-  std::vector<std::uint32_t> number(surface.points.size(), kUnused);
-  std::vector<Point<Dim>> points;
-  std::vector<typename Domain<Dim>::Facet> facets;
-  for (const auto& facet : surface.facets) {
-    typename Domain<Dim>::Facet& vertices = facets.emplace_back();
-    for (std::size_t k = 0; k < Dim; ++k) {
-      std::uint32_t& n = number[facet[k]];
-      if (n == kUnused) {
-        n = static_cast<std::uint32_t>(points.size());
-        points.push_back(surface.points[facet[k]]);
-      }
-      vertices[k] = Vertex(n);
-    }
-  }
-
+  const UsedPoints<Dim> used(surface);
   SurfaceFit result(max_ratio);
-  result.vertices = points.size();
-  const Triangulation<Dim> triangulation(points);
+  result.vertices = used.points.size();
+  const Triangulation<Dim> triangulation(used.points);
+  if constexpr (Dim == 3) {
+    result.too_sharp = sharpest_fold(triangulation.complex(), used.facets);
+    if (result.too_sharp && !result.too_sharp->is_too_sharp()) result.too_sharp.reset();
+  }
   Domain<Dim> domain(triangulation);
-  result.missing = domain.label_facets(facets, surface.seeds);
+  result.missing = domain.label_facets(used.facets, surface.seeds);
   if (!result.missing.empty()) return result;
   Flow<Dim> flow(triangulation);
   for (const HalfFacet h : domain.boundary()) result.unstable += flow.crosses(h) ? 1 : 0;

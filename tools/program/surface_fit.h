@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "refine/patches.h"
 #include "refine/quality.h"
 #include "refine/surface.h"
 
@@ -14,9 +16,11 @@ namespace sinkmesh::program {
 struct SurfaceFit {
   explicit SurfaceFit(double max_ratio) : quality(max_ratio) {}
 
-  /// Facets, by index, that are not in the Delaunay triangulation of the vertices. If there are any, nothing of
-  /// the rest is known.
+  /// Facets, by index, that are not in the Delaunay triangulation of the vertices. If there are any, nothing is
+  /// known of what is inside.
   std::vector<std::size_t> missing;
+  /// Two facets that meet at so small an angle that refine does not divide them.
+  std::optional<Fold> too_sharp;
   /// Facets through which the flow leads from the inside to the outside.
   std::size_t unstable = 0;
   /// Vertices used by facets.

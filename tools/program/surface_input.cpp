@@ -32,10 +32,13 @@ void require_sound(const Surface<Dim>& surface, const SourceLines& lines, const 
     if (severity(defect.kind) != SurfaceSeverity::error) continue;
     const std::string message = fmt::format("{}; {} (sinkmesh inspect {} lists all defects)", defect.message,
                                             advice(defect.kind), path == "-" ? "FILE" : printable(path, 200));
-    const std::size_t line = source_line(defect, lines);
-    if (line == 0) throw FileError(path, message);
-    throw FileError(path, line, message);
+    throw error_at(path, source_line(defect, lines), message);
   }
+}
+
+FileError error_at(const std::string& path, std::size_t line, const std::string& message) {
+  const std::string name = path == "-" ? "standard input" : path;
+  return line == 0 ? FileError(name, message) : FileError(name, line, message);
 }
 
 std::size_t source_line(const SurfaceDefect& defect, const SourceLines& lines) {

@@ -5,6 +5,7 @@
 
 #include "refine/surface.h"
 #include "refine/surface_check.h"
+#include "tools/io/file_error.h"
 #include "tools/io/read.h"
 #include "tools/program/files.h"
 
@@ -23,6 +24,9 @@ Surface<Dim> read_surface_input(const FileArguments& files, SourceLines& lines);
 /// @throws FileError with the first defect of the surface, where it is in the file, and how to see all of them.
 template <int Dim>
 void require_sound(const Surface<Dim>& surface, const SourceLines& lines, const std::string& path);
+
+/// The error of a file, at a line of it unless that is 0.
+FileError error_at(const std::string& path, std::size_t line, const std::string& message);
 
 /// Where a defect is in the file: the line of its first facet or vertex; 0 if that is not known.
 std::size_t source_line(const SurfaceDefect& defect, const SourceLines& lines);

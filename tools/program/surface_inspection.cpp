@@ -117,6 +117,12 @@ void describe_counts(const Surface<Dim>& surface, const std::vector<SurfaceDefec
   report["shortest_edge"] = shortest;
 }
 
+std::string what_refine_does(const SurfaceFit& found, std::string_view otherwise) {
+  if (!found.too_sharp) return std::string(otherwise);
+  return fmt::format("refine refuses the surface: facets {} and {} meet at less than a thousandth of a degree",
+                     found.too_sharp->first, found.too_sharp->second);
+}
+
 // Of a surface without errors: what it is good for.
 template <int Dim>
 std::string_view praise(const std::vector<SurfaceDefect>& defects) {
@@ -181,7 +187,8 @@ void describe_fit(const Surface<Dim>& surface, double max_ratio, Inspection& ins
                                          grouped(found.missing.size()),
                                          count(surface.facets.size(), "facet is", "facets are")));
     summary.line("", fmt::format("facets {}{}", fmt::join(named, " "), rest));
-    summary.line("", "refine divides facets until all pieces are; --boundary fixed refuses the surface");
+    summary.line("", what_refine_does(found, "refine divides facets until all pieces are"));
+    summary.line("", "--boundary fixed refuses the surface");
     return;
   }
   report["unstable_facets"] = found.unstable;
@@ -193,9 +200,9 @@ void describe_fit(const Surface<Dim>& surface, double max_ratio, Inspection& ins
   } else {
     summary.line("stable",
                  fmt::format("no: the flow leads out through {}", count(found.unstable, "facet", "facets")));
-    summary.line(
-        "", fmt::format("refine divides facets until none does; --boundary fixed peels off {} and {}",
-                        simplices(found.peeled_simplices, Dim), count(found.peeled_facets, "facet", "facets")));
+    summary.line("", what_refine_does(found, "refine divides facets until none does"));
+    summary.line("", fmt::format("--boundary fixed peels off {} and {}", simplices(found.peeled_simplices, Dim),
+                                 count(found.peeled_facets, "facet", "facets")));
   }
   summary.line("inside",
                fmt::format("{}, {} of them with r/l above {:g}", simplices(found.quality.simplices(), Dim),

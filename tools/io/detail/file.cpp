@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Plain stdio and <filesystem>; POSIX where a closed pipe would otherwise kill the process.
+// Plain stdio and <filesystem>; POSIX where a failing write would otherwise kill the process.
 #include "tools/io/detail/file.h"
 
 #include <pthread.h>
@@ -21,34 +21,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A closed pipe should be an error of the write, not the end of the process. The disposition of a signal is
-// global state and none of our business; the mask is this thread's, and is restored.
-class PipeSignalGuard {
+// A closed pipe, or a file over the limit of its size, should be an error of the write, not the end of the
+// process. The disposition of a signal is global state and none of our business; the mask is this thread's, and
+// is restored.
+class WriteSignalGuard {
  public:
-  PipeSignalGuard() {
+  WriteSignalGuard() {
     sigset_t pending;
     sigemptyset(&pending);
     sigpending(&pending);
-    was_pending_ = sigismember(&pending, SIGPIPE) == 1;
-    sigemptyset(&pipe_);
-    sigaddset(&pipe_, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    sigemptyset(&ours_);
+    for (const int signal : {SIGPIPE, SIGXFSZ}) {
+      sigaddset(&blocked, signal);
+      if (sigismember(&pending, signal) != 1) sigaddset(&ours_, signal);
+    }
+    pthread_sigmask(SIG_BLOCK, &blocked, &before_);
   }
-  ~PipeSignalGuard() {
+  ~WriteSignalGuard() {
     const timespec no_wait{};
-    if (!was_pending_) {
-      while (sigtimedwait(&pipe_, nullptr, &no_wait) == -1 && errno == EINTR) {
-      }
+    while (sigtimedwait(&ours_, nullptr, &no_wait) != -1 || errno == EINTR) {
     }
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
-  PipeSignalGuard(const PipeSignalGuard&) = delete;
-  PipeSignalGuard& operator=(const PipeSignalGuard&) = delete;
+  WriteSignalGuard(const WriteSignalGuard&) = delete;
+  WriteSignalGuard& operator=(const WriteSignalGuard&) = delete;
 
  private:
-  sigset_t pipe_;
+  sigset_t ours_;  // that were not pending before
   sigset_t before_;
-  bool was_pending_ = false;
 };
 
 std::string reason(int error) { return std::generic_category().message(error); }
@@ -67,6 +69,8 @@ const char* advice(int error) {
     case ENOSPC:
     case EDQUOT:
       return "; free some space, or choose another folder";
+    case EFBIG:
+      return "; the limit of the size of a file is reached (ulimit -f)";
     case EPIPE:
       return "; the program that reads the output has ended";
     default:
@@ -176,7 +180,7 @@ OutputFile::~OutputFile() {
 void OutputFile::fail(const char* action, int error) const { throw FileError(name_, explain(action, error)); }
 
 void OutputFile::finish(std::string_view bytes) {
-  const PipeSignalGuard guard;
+  const WriteSignalGuard guard;
   std::FILE* const stream = std::exchange(stream_, nullptr);
   // The bytes are one buffer already.
   std::setvbuf(stream, nullptr, _IONBF, 0);
