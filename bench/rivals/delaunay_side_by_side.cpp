@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Delaunay triangulation in space and in the plane: ours, CGAL's, and in space TetGen's where its library is
-// installed, in turn. Each run is a child process of its own, so that none finds memory that another has warmed
-// or fragmented. Prints medians of user seconds and of memory, and the median of the ratios of neighbouring runs.
-// Exit 1 if the number of simplices differs from CGAL's on a set whose triangulation is unique.
+// installed, in turn. Each run is a child process of its own, so that none finds memory that another has
+// warmed or fragmented. Prints medians of user seconds and of memory, and the median of the ratios of
+// neighbouring runs. Exit 1 if the number of simplices differs from CGAL's on a set whose triangulation is
+// unique.
 //
 //   sinkmesh_rival_delaunay [repetitions [largest [row]]]     row: the beginning of a name
 #include <CGAL/Delaunay_triangulation_2.h>
