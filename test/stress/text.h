@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Words for failures.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <sstream>
+#include <string>
+
+#include "predicates/point.h"
+
+namespace sinkmesh::stress {
+
+/// Bit for bit, as hexadecimal numbers.
+template <std::size_t N>
+std::string text(const std::array<double, N>& p) {
+  std::string result = "(";
+  for (std::size_t k = 0; k < N; ++k) {
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%s%a", k == 0 ? "" : " ", p[k]);
+    result += buffer;
+  }
+  return result + ")";
+}
+
+/// A failure with both answers.
+template <class Found, class Expected>
+std::string differ(const std::string& kind, const Found& found, const Expected& expected) {
+  std::ostringstream out;
+  out << kind << ": found " << found << ", expected " << expected;
+  return out.str();
+}
+
+}  // namespace sinkmesh::stress
