@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "test/stress/text.h"
+
 namespace sinkmesh::stress {
 namespace {
 
@@ -171,6 +173,8 @@ std::string run_in_child(SharedState& state, bool quiet, const std::function<voi
 std::string check_here(Suite& suite, const Case& c, Counters& counters) {
   try {
     return suite.check(c, counters);
+  } catch (const CheckFailed& failed) {
+    return failed.what();
   } catch (const std::exception& error) {
     return std::string("exception: ") + error.what();
   }

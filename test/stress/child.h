@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks run in a process of their own, so that a crash, an assertion, a sanitizer's report or an endless loop is
-// a failure like any other: the parent still knows the case, and goes on.
+// Checks run in a process of their own, so that a crash, an assertion, a report of a sanitizer or an endless loop
+// is a failure like any other: the parent still knows the case, and goes on.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace sinkmesh::stress {
 
-/// The case at hand and the counters, in memory that parent and child share. Copying a case there costs far less
+/// The case at hand and the counters, in memory that parent and child share. Copying a case there costs less
 /// than checking it, and leaves nothing to do for a process that is about to die.
 class SharedState {
  public:

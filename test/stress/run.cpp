@@ -130,8 +130,10 @@ class Runner {
                                                                  std::max(seconds, 1e-3))) +
                        " per second, ties " + std::to_string(counters.ties);
     const auto named = suite.counters();
-    for (std::size_t i = 0; i < named.size(); ++i)
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      if (counters.named.at(i) == 0 && named[i].least_share == 0) continue;
       line += ", " + named[i].name + " " + std::to_string(counters.named.at(i));
+    }
     std::printf("%s, %.1f s, seed %llu\n", line.c_str(), seconds, as_printed(options_.seed));
   }
 

@@ -9,7 +9,7 @@
 
 namespace sinkmesh::stress {
 
-/// Runs the suites one after the other, each for the same share of the time, and prints one line for each and one
+/// Runs the suites one after the other, each for the same share of the time; prints one line for each and one
 /// for all. A suite stops at its first failure, which is shrunk and written to a file that --replay takes.
 ///
 /// Case number n of a suite depends on the seed, on the suite and on n alone.

@@ -52,8 +52,9 @@ class Suite {
   /// Whether c is an input of this suite, as generate() makes them. Shrinking and --replay ask.
   virtual bool accepts(const Case& c) const = 0;
 
-  /// @return empty, or what is wrong: `kind: details`, with both answers. Shrinking keeps the kind. Whatever
-  ///         is thrown, a crash, and a check without end are failures, too.
+  /// @return empty, or what is wrong: `kind: details`, with both answers. Shrinking keeps the kind.
+  /// @throws CheckFailed (text.h) for the same; whatever else is thrown, a crash, and a check without end are
+  ///         failures, too.
   virtual std::string check(const Case& c, Counters& counters) = 0;
 
   /// Names for Counters::named, from its start.

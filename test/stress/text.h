@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "predicates/point.h"
@@ -30,6 +31,18 @@ std::string differ(const std::string& kind, const Found& found, const Expected& 
   std::ostringstream out;
   out << kind << ": found " << found << ", expected " << expected;
   return out.str();
+}
+
+/// For checks that are too deep to return a failure.
+class CheckFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// @throws CheckFailed
+template <class Found, class Expected>
+void expect_equal(const std::string& kind, const Found& found, const Expected& expected) {
+  if (!(found == expected)) throw CheckFailed(differ(kind, found, expected));
 }
 
 }  // namespace sinkmesh::stress
