@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks run in a process of their own, so that a crash, an assertion, a report of a sanitizer or an endless loop
-// is a failure like any other: the parent still knows the case, and goes on.
+// Checks run in a process of their own, so that a crash, an assertion, a report of a sanitizer or an endless
+// loop is a failure like any other: the parent still knows the case, and goes on.
 #pragma once
 
 #include <cstddef>

@@ -40,8 +40,8 @@ inline constexpr std::array kAllBases{
 template <int Dim>
 std::vector<Point<Dim>> base_points(Base base, std::size_t n, Random& random);
 
-/// Maps all points: by nothing, an integer rotation, magnification and translation (exact while the integers have
-/// 53 bits), a factor that is no power of two (rounds), or a large offset (rounds off detail).
+/// Maps all points: by nothing, an integer rotation, magnification and translation (exact while the integers
+/// have 53 bits), a factor that is no power of two (rounds), or a large offset (rounds off detail).
 template <int Dim>
 void place(std::vector<Point<Dim>>& points, Random& random);
 
