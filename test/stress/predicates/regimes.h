@@ -11,7 +11,7 @@
 
 #include "predicates/input_gate.h"
 #include "test/stress/case.h"
-#include "test/stress/predicates/positions.h"
+#include "test/stress/positions/positions.h"
 
 namespace sinkmesh::stress {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include "test/stress/predicates/positions.h"
+#include "test/stress/positions/positions.h"
 
 namespace sinkmesh::stress {
 

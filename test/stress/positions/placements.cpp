@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "test/stress/predicates/similarity.h"
+#include "test/stress/positions/similarity.h"
 
 namespace sinkmesh::stress {
 namespace {

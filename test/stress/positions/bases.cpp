@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "test/stress/predicates/similarity.h"
+#include "test/stress/positions/similarity.h"
 
 namespace sinkmesh::stress {
 namespace {
