@@ -52,6 +52,11 @@ Random engine_for(std::uint64_t seed, const std::string& suite) {
 /// `insphere: signs differ: ...` is of the kind "signs differ".
 std::string kind_of(const std::string& failure) { return failure.substr(0, failure.find(':')); }
 
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 class Runner {
  public:
   Runner(std::string name, Options options) : name_(std::move(name)), options_(std::move(options)) {}
@@ -70,7 +75,7 @@ class Runner {
 
   static int replay(Suite& suite, const Case& c) {
     const std::string failure = check_in_child(suite, c, false);
-    std::printf("%s: %s\n", suite.name().c_str(), failure.empty() ? "passes" : failure.c_str());
+    std::printf("%s: %s\n", suite.name().c_str(), failure.empty() ? "passes" : one_line(failure).c_str());
     return failure.empty() ? 0 : kFound;
   }
 
@@ -147,8 +152,8 @@ class Runner {
     write_case(file, smallest);
     std::string why = check_in_child(suite, smallest, true);
     if (kind_of(why) != kind) why = failure + " (not reproduced: while making the next case, or after others)";
-    std::printf("FAILURE %s: %s; in %s; %s --replay %s\n", suite.name().c_str(), why.c_str(), file.c_str(),
-                name_.c_str(), file.c_str());
+    std::printf("FAILURE %s: %s; in %s; %s --replay %s\n", suite.name().c_str(), one_line(why).c_str(),
+                file.c_str(), name_.c_str(), file.c_str());
   }
 
   void check_floors(const Suite& suite, const Counters& counters) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The fast oracle: signs of the polynomials of the predicates module, some 10^6 per second. From determinants
-// and centers as the slow one (exact_signs.h), against which it is tested. It shares no code and no formula with
-// the predicates module, of which it only knows the names of the polynomials.
+// and centers as the slow one (exact_signs.h), against which it is tested. It shares no code and no formula
+// with the predicates module, of which it only knows the names of the polynomials.
 #pragma once
 
 #include <algorithm>

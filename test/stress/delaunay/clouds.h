@@ -12,8 +12,8 @@
 
 namespace sinkmesh::stress {
 
-/// A few points: small integers, degenerate positions, exponents across the gate; on the grid of the gate, distinct,
-/// in random order.
+/// A few points: small integers, degenerate positions, exponents across the gate; on the grid of the gate,
+/// distinct, in random order.
 template <int Dim>
 std::vector<Point<Dim>> small_cloud(std::size_t n, Random& random);
 

@@ -6,8 +6,8 @@
 namespace sinkmesh::stress {
 namespace {
 
-/// Moves a basis of the space to the front, found by inserting points into it until they span the space, with the
-/// largest coordinate among them, which decides on the gate.
+/// Moves the point with the largest coordinate, which decides on the gate, to the front.
+/// @return how many of the first points span the space; 0 if not even all do.
 template <int Dim>
 std::size_t first_spanning(std::vector<Point<Dim>>& points) {
   const auto largest = [](const Point<Dim>& p) {
