@@ -159,8 +159,8 @@ std::string run_in_child(SharedState& state, bool quiet, const std::function<voi
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (child == 0) {
     if (quiet) lose_output();
-    work();
-    _exit(0);  // what the parent has yet to print is not printed twice
+    [&]() noexcept { work(); }();  // what escapes must not unwind into the parent's code
+    _exit(0);                      // what the parent has yet to print is not printed twice
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
