@@ -147,6 +147,12 @@ class Complex {
     records_[s.index()].corner[0] = kDead;
     free_.push_back(s.index());
   }
+  /// Takes away all simplices and vertices; keeps the memory.
+  void clear() {
+    records_.clear();
+    vertices_.clear();
+    free_.clear();
+  }
   /// Appends a vertex that is in no simplex yet.
   Vertex add_vertex(const Point<Dim>& p) {
     if (vertices_.empty()) vertices_.push_back({Point<Dim>{}, kNone, 0});  // infinity
