@@ -101,10 +101,16 @@ void CheckedRun<Dim>::refine(RefineOptions options, std::shared_ptr<Stopper> sto
   std::string seen;
   options.observer = [&](const Progress& progress) {
     const QualityStatistics quality = progress.statistics();
-    if (progress.round != ++rounds) seen = "number of a round";
-    if (progress.passed_boundary > progress.candidates) seen = "more points have passed than there were";
-    if (quality.simplices() != progress.simplices) seen = "number of simplices";
-    if (quality.low_quality() != progress.low_quality) seen = "number of simplices of low quality";
+    const auto require = [&](bool holds, const char* what, std::size_t found, std::size_t expected) {
+      if (!holds && seen.empty()) seen = differ(std::string("progress, ") + what, found, expected);
+    };
+    ++rounds;
+    require(progress.round == rounds, "number of the round", progress.round, rounds);
+    require(progress.passed_boundary <= progress.candidates, "points that passed, of those considered",
+            progress.passed_boundary, progress.candidates);
+    require(quality.simplices() == progress.simplices, "simplices", progress.simplices, quality.simplices());
+    require(quality.low_quality() == progress.low_quality, "of low quality", progress.low_quality,
+            quality.low_quality());
   };
   promise_.options = options;
   try {
@@ -114,7 +120,7 @@ void CheckedRun<Dim>::refine(RefineOptions options, std::shared_ptr<Stopper> sto
   }
   promise_.options.observer = {};
   const RefineResult& result = promise_.result;
-  if (!seen.empty()) throw CheckFailed("progress: " + seen);
+  if (!seen.empty()) throw CheckFailed(seen);
   expect_stop(result.stop, options, stopper.get());
   const Mesh<Dim> mesh = mesher_->mesh();
   std::ostringstream out;
