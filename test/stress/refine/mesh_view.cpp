@@ -358,7 +358,7 @@ void expect_leftovers(const Mesh<Dim>& mesh, const std::vector<Leftover<Dim>>& l
     } else if (leftover.reason != LeftoverReason::untried) {
       expect_equal("reason boundary_facet", leftover.reason == LeftoverReason::boundary_facet, has_bad_wall);
     }
-    // Nothing bars the way of a circumcenter that is in no sphere of the boundary: one could have been inserted.
+    // A circumcenter that is in no sphere of the boundary could have been inserted.
     const bool is_barred =
         leftover.reason == LeftoverReason::boundary || leftover.reason == LeftoverReason::crossing;
     if (!is_barred || promise.options.insert != Insert::circumcenter) continue;
