@@ -158,6 +158,15 @@ test::RationalSphere<Dim> diametral_sphere(const std::vector<Point<Dim>>& points
 }
 
 template <int Dim>
+bool is_inside(const Mesh<Dim>& mesh, const RationalPoint<Dim>& x) {
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    const auto part = test::barycentric<Dim>(corners_of(mesh, s), x);
+    if (std::all_of(part.begin(), part.end(), [](const Rational& y) { return y >= 0; })) return true;
+  }
+  return false;
+}
+
+template <int Dim>
 void expect_checked(const Mesh<Dim>& mesh, const Promise& promise) {
   const MeshCheck<Dim> check = check_mesh(mesh, promise.options.max_ratio);
   if (!check.ok()) {
@@ -358,7 +367,7 @@ void expect_leftovers(const Mesh<Dim>& mesh, const std::vector<Leftover<Dim>>& l
     } else if (leftover.reason != LeftoverReason::untried) {
       expect_equal("reason boundary_facet", leftover.reason == LeftoverReason::boundary_facet, has_bad_wall);
     }
-    // A circumcenter that is in no sphere of the boundary could have been inserted.
+    // A circumcenter inside that is in no sphere of the boundary could have been inserted.
     const bool is_barred =
         leftover.reason == LeftoverReason::boundary || leftover.reason == LeftoverReason::crossing;
     if (!is_barred || promise.options.insert != Insert::circumcenter) continue;
@@ -371,7 +380,7 @@ void expect_leftovers(const Mesh<Dim>& mesh, const std::vector<Leftover<Dim>>& l
       return d2 <= sphere.second * (1 + 1e-6);
     });
     ++counters.named[3];
-    if (is_encroaching) continue;
+    if (is_encroaching || !is_inside<Dim>(mesh, center)) continue;
     if (!promise.is_divided())
       throw CheckFailed("attackable: its circumcenter is free:" + list(leftover.corners));
     ++counters.named[4];
