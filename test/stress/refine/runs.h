@@ -21,7 +21,6 @@ enum RunCounter : std::size_t {
   kUnconformed,  ///< facets given up
   kDivided,      ///< meshed with a boundary that was divided
   kBarred,       ///< leftovers that the boundary bars, looked at
-  kStale,        ///< of these, with a boundary that was divided since: no longer barred
   kStopped,      ///< ended by a budget or on request
   kFloor,        ///< ended by the floor
   kLeft          ///< with simplices of low quality left
