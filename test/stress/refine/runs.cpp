@@ -10,9 +10,13 @@
 namespace sinkmesh::stress {
 
 std::vector<NamedCounter> run_counters(bool is_stopped) {
-  return {{"refused", 0}, {"unconformed", 0},      {"boundary-divided", 0.3},
-          {"barred", 0},  {"barred-no-longer", 0}, {"stopped", is_stopped ? 0.1 : 0},
-          {"floor", 0},   {"with-leftovers", 0.05}};
+  return {{"refused", 0},
+          {"unconformed", 0},
+          {"boundary-divided", 0.3},
+          {"barred", 0},
+          {"stopped", is_stopped ? 0.1 : 0},
+          {"floor", 0},
+          {"with-leftovers", 0.05}};
 }
 
 template <int Dim>
