@@ -129,7 +129,6 @@ void CheckedRun<Dim>::refine(RefineOptions options, std::shared_ptr<Stopper> sto
   }
   promise_.options.observer = {};
   const RefineResult& result = promise_.result;
-  if (!seen.empty()) throw CheckFailed(seen);
   expect_stop(result.stop, options, stopper.get());
   const Mesh<Dim> mesh = mesher_->mesh();
   std::ostringstream out;
@@ -153,6 +152,7 @@ void CheckedRun<Dim>::refine(RefineOptions options, std::shared_ptr<Stopper> sto
   if (promise_.is_divided() && promise_.is_done() && options.schedule != Schedule::block &&
       mesh.simplices.size() <= 400)
     expect_centers_inside(mesh);
+  if (!seen.empty()) throw CheckFailed(seen);
   if (result.stop == Stop::budget || result.stop == Stop::cancelled) ++counters_->named[kStopped];
   if (result.stop == Stop::floor) ++counters_->named[kFloor];
   if (result.remaining.total() != 0) ++counters_->named[kLeft];
