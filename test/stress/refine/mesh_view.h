@@ -17,6 +17,7 @@ struct Promise {
   RefineOptions options;
   BoundaryResult boundary;
   RefineResult result;
+  bool has_normals = true;  ///< the surface has, outward and into cavities, if it is consistent at all
 
   bool is_divided() const { return boundary.mode == BoundaryMode::refine; }
   bool is_done() const { return result.stop == Stop::no_candidate; }

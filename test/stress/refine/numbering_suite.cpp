@@ -28,8 +28,6 @@ Surface<Dim> in_another_order(const Surface<Dim>& s, Random& random) {
   return result;
 }
 
-/// Rounds of spheres that are orthogonal or further depend on the order where the boundary is divided: other
-/// schedules only.
 template <int Dim>
 class NumberingSuite : public Suite {
  public:
@@ -37,16 +35,12 @@ class NumberingSuite : public Suite {
 
   void generate(Random& random, Case& c) override {
     set_surface<Dim>(c, random_surface<Dim>(random));
-    do {
-      draw_options(random, Dim, c);
-    } while (c.setting("schedule") == "block");
+    draw_options(random, Dim, c);
     c.set("tags", 0U);  // they would go with the facets
     c.set("numbering", random());
   }
 
-  bool accepts(const Case& c) const override {
-    return has_valid_options(c) && has_meshable_surface<Dim>(c) && c.setting("schedule") != "block";
-  }
+  bool accepts(const Case& c) const override { return has_valid_options(c) && has_meshable_surface<Dim>(c); }
 
   std::string check(const Case& c, Counters& counters) override {
     const Surface<Dim> surface = tagged_surface_of<Dim>(c);
@@ -57,7 +51,7 @@ class NumberingSuite : public Suite {
     if (has_domain) one.refine(options);
     Random random(c.number_setting("numbering"));
     Counters again;
-    CheckedRun<Dim> other(in_another_order<Dim>(surface, random), again);
+    CheckedRun<Dim> other(in_another_order<Dim>(surface, random), again, false);
     expect_equal("domain in another order", other.find_domain(options), has_domain);
     if (!has_domain) return "";
     other.refine(options);

@@ -45,7 +45,10 @@ struct Stopper {
 template <int Dim>
 class CheckedRun {
  public:
-  CheckedRun(const Surface<Dim>& surface, Counters& counters) : surface_(surface), counters_(&counters) {}
+  CheckedRun(const Surface<Dim>& surface, Counters& counters, bool has_normals = true)
+      : surface_(surface), counters_(&counters) {
+    promise_.has_normals = has_normals;
+  }
 
   /// @return whether there is a domain.
   /// @throws CheckFailed
