@@ -72,6 +72,7 @@ const std::vector<Simplex>& Retriangulator<Dim>::replace(Complex<Dim>& complex, 
   open_.clear();
   open_.reserve(fresh.size() * (Dim + 1) + old.size() * (Dim + 1));
   complex.reserve(fresh.size());
+  complex.reserve_release(old.size());
 
   auto& records = complex.records();
   for (const Simplex s : old) records[s.index()].corner[0] |= Complex<Dim>::kMark;

@@ -28,8 +28,7 @@ class Retriangulator {
   /// corners, infinity anywhere. Slots are used again.
   /// @return the new simplices, in the order of `fresh`; valid until the next call.
   /// @throws CapacityError, std::bad_alloc before anything is changed.
-  /// Cost: log-linear in the number of simplices; facets of flips, which have at most four, are compared one by
-  ///       one.
+  /// Cost: log-linear in the number of simplices; of a few, such as flips have, each is compared with each.
   const std::vector<Simplex>& replace(Complex<Dim>& complex, std::span<const Simplex> old,
                                       std::span<const Corners> fresh);
 

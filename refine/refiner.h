@@ -43,7 +43,7 @@ class Refiner {
   RefineResult look();
   /// After run(): null if the mesh is valid. Else a budget, the cancel flag or the floor has ended it in the
   /// middle of what a point on the boundary set off, and this is a valid state shortly before: rebuild that,
-  /// and ask a new Refiner what remains.
+  /// and, unless this one knows, ask a new Refiner what remains.
   const typename Boundary<Dim>::Snapshot* last_valid() const { return is_valid_ ? nullptr : &*last_valid_; }
   /// Whether leftovers() and `remaining` are those of last_valid(), too.
   bool knows_leftovers() const { return is_valid_ || is_bold_; }

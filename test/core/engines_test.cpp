@@ -20,16 +20,6 @@ template <class Dimension>
 class Engines : public testing::Test {};
 TYPED_TEST_SUITE(Engines, Dimensions, DimensionNames);
 
-/// The complex of the points if they span the space.
-template <int Dim>
-std::optional<Triangulation<Dim>> triangulate(const std::vector<Point<Dim>>& points, Engine engine) {
-  try {
-    return Triangulation<Dim>(points, engine);
-  } catch (const DegenerateInput&) {
-    return std::nullopt;
-  }
-}
-
 // Points with few coordinates are mostly collinear, coplanar or cospherical: the tie rules decide everything
 // here.
 TYPED_TEST(Engines, BuildTheOraclesComplexOfTenThousandGridClouds) {

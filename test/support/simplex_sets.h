@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/triangulation.h"
@@ -66,7 +67,18 @@ std::vector<Point<Dim>> full_grid(int side) {
   return points;
 }
 
-/// Whether the points span the whole space.
+/// No value if the points do not span the space.
+template <int Dim>
+std::optional<Triangulation<Dim>> triangulate(const std::vector<Point<Dim>>& points,
+                                              Engine engine = Engine::star) {
+  try {
+    return Triangulation<Dim>(points, engine);
+  } catch (const DegenerateInput&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether points with small integer coordinates span the whole space.
 template <int Dim>
 bool spans_space(const std::vector<Point<Dim>>& points) {
   bool found = false;

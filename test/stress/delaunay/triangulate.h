@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -16,6 +15,8 @@
 #include "test/support/simplex_sets.h"
 
 namespace sinkmesh::stress {
+
+using test::triangulate;
 
 inline const char* name_of(Engine engine) { return engine == Engine::star ? "star" : "flips"; }
 
@@ -38,16 +39,6 @@ void make_distinct(std::vector<Point<Dim>>& points, Random& random) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::shuffle(points.begin(), points.end(), random);
-}
-
-/// No value if they do not span the space.
-template <int Dim>
-std::optional<Triangulation<Dim>> triangulate(const std::vector<Point<Dim>>& points, Engine engine) {
-  try {
-    return Triangulation<Dim>(points, engine);
-  } catch (const DegenerateInput&) {
-    return std::nullopt;
-  }
 }
 
 template <int Dim>

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "test/stress/refine/run_options.h"
-#include "test/stress/refine/runs.h"
 #include "test/stress/refine/suites.h"
-#include "test/stress/refine/surface_case.h"
-#include "test/stress/refine/surfaces.h"
+#include "test/stress/refine/surface_suite.h"
 #include "test/stress/text.h"
 
 namespace sinkmesh::stress {
 namespace {
 
 template <int Dim>
-class MeshSuite : public Suite {
+class MeshSuite : public SurfaceSuite<Dim> {
  public:
-  std::string name() const override { return "mesh" + std::to_string(Dim) + "d"; }
-
-  void generate(Random& random, Case& c) override {
-    set_surface<Dim>(c, random_surface<Dim>(random));
-    draw_options(random, Dim, c);
-  }
-
-  bool accepts(const Case& c) const override { return has_valid_options(c) && has_meshable_surface<Dim>(c); }
+  MeshSuite() : SurfaceSuite<Dim>("mesh", false) {}
 
   std::string check(const Case& c, Counters& counters) override {
     const Surface<Dim> surface = tagged_surface_of<Dim>(c);
@@ -31,9 +21,9 @@ class MeshSuite : public Suite {
     return "";
   }
 
-  std::vector<NamedCounter> counters() const override { return run_counters(false); }
-
  private:
+  void draw_more(Random&, Case&) override {}
+
   static std::string run(const Surface<Dim>& surface, const RefineOptions& options, Counters& counters) {
     CheckedRun<Dim> run(surface, counters);
     if (run.find_domain(options)) run.refine(options);

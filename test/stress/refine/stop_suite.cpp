@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "test/stress/refine/run_options.h"
-#include "test/stress/refine/runs.h"
 #include "test/stress/refine/suites.h"
-#include "test/stress/refine/surface_case.h"
-#include "test/stress/refine/surfaces.h"
+#include "test/stress/refine/surface_suite.h"
 #include "test/stress/text.h"
 
 namespace sinkmesh::stress {
@@ -14,13 +11,19 @@ namespace {
 constexpr std::uint64_t kBytesPerUnit = 1024;
 
 template <int Dim>
-class StopSuite : public Suite {
+class StopSuite : public SurfaceSuite<Dim> {
  public:
-  std::string name() const override { return "stop" + std::to_string(Dim) + "d"; }
+  StopSuite() : SurfaceSuite<Dim>("stop", true) {}
 
-  void generate(Random& random, Case& c) override {
-    set_surface<Dim>(c, random_surface<Dim>(random));
-    draw_options(random, Dim, c);
+  std::string check(const Case& c, Counters& counters) override {
+    const std::string first = run(c, counters);
+    Counters again;
+    expect_equal("repetition", run(c, again), first);
+    return "";
+  }
+
+ private:
+  void draw_more(Random& random, Case& c) override {
     // Which of the limits there are; at least one.
     const auto kinds = 1 + random() % 7;
     const auto log_uniform = [&](double low, double high) {
@@ -34,18 +37,6 @@ class StopSuite : public Suite {
     c.set("stops-conforming", random() % 2);
   }
 
-  bool accepts(const Case& c) const override { return has_valid_options(c) && has_meshable_surface<Dim>(c); }
-
-  std::string check(const Case& c, Counters& counters) override {
-    const std::string first = run(c, counters);
-    Counters again;
-    expect_equal("repetition", run(c, again), first);
-    return "";
-  }
-
-  std::vector<NamedCounter> counters() const override { return run_counters(true); }
-
- private:
   static std::string run(const Case& c, Counters& counters) {
     const Surface<Dim> surface = tagged_surface_of<Dim>(c);
     RefineOptions generous = options_of(c);

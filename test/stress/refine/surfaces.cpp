@@ -97,24 +97,7 @@ Surface3 noisy_tetrahedron(Random& random) {
   s.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
   s.facets = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   for (int level = uniform_int(random, 0, 2); level > 0; --level) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [known, is_new] = middles.try_emplace(std::minmax(a, b), s.points.size());
-      if (is_new) {
-        Point3 m;
-        for (std::size_t k = 0; k < 3; ++k) m[k] = (s.points[a][k] + s.points[b][k]) / 2;
-        s.points.push_back(m);
-      }
-      return known->second;
-    };
-    std::vector<Surface3::Facet> facets;
-    for (const auto& [a, b, c] : s.facets) {
-      const std::uint32_t ab = middle(a, b);
-      const std::uint32_t bc = middle(b, c);
-      const std::uint32_t ca = middle(c, a);
-      facets.insert(facets.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    s.facets = facets;
+    s = test::divided_in_four(s, [](const Point3& middle) { return middle; });
   }
   if (random() % 4 != 0) shake<3>(s, std::exp2(uniform(random, -12, -1.5)), random);
   return s;
