@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "bench/insertion_profile.h"
 #include "bench/point_sets.h"
 #include "core/triangulation.h"
 
@@ -32,6 +33,14 @@ void BM_Delaunay(benchmark::State& state) {
   state.counters["per_point"] =
       benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.SetComplexityN(static_cast<benchmark::IterationCount>(points.size()));
+  const InsertionProfile profile = profile_insertions<Dim>(points, engine);
+  state.counters["steps"] = profile.steps;
+  if (engine == Engine::star) {
+    state.counters["prestar"] = profile.prestar;
+    state.counters["star"] = profile.star;
+  } else {
+    state.counters["flips"] = profile.flips;
+  }
 }
 
 #define SWEEP(dim, set, engine, largest)           \

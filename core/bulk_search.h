@@ -24,12 +24,14 @@ class BulkSearch {
   /// Chooses where to start for the next point. Call it after each insertion.
   /// @param cavity  of the point v, which has been inserted.
   void settle(const Complex<Dim>& complex, const Cavity<Dim>& cavity, Vertex v);
+  /// Simplices visited inside by the last find(); 0 if the conflict was found over the hull.
+  int last_walk() const { return steps_; }
 
  private:
   bool find_over_hull(const Complex<Dim>& complex, const Predicates<Dim>& predicates, const Point<Dim>& p);
 
   Simplex at_{0};
-  int steps_ = 0;              // of the last walk through the inside; 0: found over the hull
+  int steps_ = 0;              // see last_walk()
   int trust_in_the_hull_ = 0;  // grows with each way over the hull that leads to a conflict, falls with others
 };
 

@@ -12,15 +12,20 @@
 namespace sinkmesh {
 namespace {
 
-[[noreturn]] void throw_degenerate(int affine_dimension, std::size_t distinct) {
+[[noreturn]] void throw_degenerate(int affine_dimension, std::size_t distinct, std::size_t rounded) {
   static constexpr const char* kWhat[] = {"there is no point", "all points are equal",
                                           "all points are collinear", "all points are coplanar"};
   static constexpr const char* kRemedy[] = {"add points", "add different points", "add points off the line",
                                             "add points off the plane"};
   const int row = affine_dimension + 1;
-  throw DegenerateInput(std::string(kWhat[row]) + " (" + std::to_string(distinct) +
-                            " distinct): " + kRemedy[row] + ", so that they span the whole space",
-                        affine_dimension);
+  std::string numbers = std::to_string(distinct) + " distinct";
+  if (rounded != 0) {
+    numbers +=
+        ", now that " + std::to_string(rounded) + " had to be rounded: coordinates differ too much in size";
+  }
+  throw DegenerateInput(
+      std::string(kWhat[row]) + " (" + numbers + "): " + kRemedy[row] + ", so that they span the whole space",
+      affine_dimension);
 }
 
 }  // namespace
@@ -34,7 +39,9 @@ Triangulation<Dim>::Triangulation(std::span<const Point<Dim>> points, Engine eng
   InsertionOrder sorted = insertion_order<Dim>(gated, gate_.box());
   duplicates_ = std::move(sorted.duplicates);
   const std::size_t rank = make_first_simplex<Dim>(complex_, predicates_, gated, sorted.order);
-  if (rank <= Dim) throw_degenerate(static_cast<int>(rank) - 1, sorted.order.size());
+  if (rank <= Dim) {
+    throw_degenerate(static_cast<int>(rank) - 1, sorted.order.size(), gate_.rounded_points());
+  }
   insert_all(engine);
   restore_ids(gated, sorted.order);
 }

@@ -62,7 +62,7 @@ class Boundary {
   /// The walls of all sub-facets; for Domain::label(). Requires that none is missing.
   std::vector<typename Domain<Dim>::Wall> walls() const;
 
-  /// As the user knows it, but for ids of vertices, which are those of the complex.
+  /// As the user knows it.
   BoundaryFeature describe(const Feature& feature) const;
 
   // -- following an insertion

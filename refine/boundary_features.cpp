@@ -192,16 +192,13 @@ void BoundaryFeatures<Dim>::for_each_common(const Feature& f, const Feature& g, 
 
 // The features that hold v and not the other vertex: what v lies on, and the patches around that.
 template <int Dim>
-std::vector<Feature> BoundaryFeatures<Dim>::features_without(Vertex v, Vertex other) const {
+std::vector<Feature> BoundaryFeatures<Dim>::features_without(Vertex v, Vertex other, Ends ends) const {
   std::vector<Feature> result;
   const Feature on = vertex(v).on;
-  if (on.kind == Kind::segment) {
-    result.push_back(on);
-    for (const std::uint32_t patch : segment_patches_[on.id]) {
-      if (!is_on_patch(other, patch)) result.push_back({Kind::patch, patch});
-    }
-  } else if (on.kind == Kind::patch && !is_on_patch(other, on.id)) {
-    result.push_back(on);
+  if (on.kind == Kind::corner && ends == Ends::no_corners) return result;
+  if (on.kind == Kind::segment) result.push_back(on);
+  for (const std::uint32_t patch : patches_at(v)) {
+    if (!is_on_patch(other, patch)) result.push_back({Kind::patch, patch});
   }
   return result;
 }
@@ -222,16 +219,16 @@ bool BoundaryFeatures<Dim>::is_acute(const Point<Dim>& a, const Point<Dim>& b, s
 // Where two features meet at an angle is the nearest place that they have in common; where that is a segment,
 // and the angle acute, also the nearest corner, into which spirals run.
 template <int Dim>
-std::optional<Rung> BoundaryFeatures<Dim>::rung(Vertex p, Vertex q, double lambda) const {
+std::optional<Rung> BoundaryFeatures<Dim>::rung(Vertex p, Vertex q, double lambda, Ends ends) const {
   const Point<Dim>& a = complex_->point(p);
   const Point<Dim>& b = complex_->point(q);
   const double length2 = squared_distance(a, b);
   const auto is_short = [&](const std::optional<Rung>& rung) {
     return rung && length2 < lambda * lambda * rung->reach2;
   };
-  const std::vector<Feature> of_q = features_without(q, p);
+  const std::vector<Feature> of_q = features_without(q, p, ends);
   std::optional<Rung> result;
-  for (const Feature& f : features_without(p, q)) {
+  for (const Feature& f : features_without(p, q, ends)) {
     for (const Feature& g : of_q) {
       if (f == g) continue;
       std::optional<Rung> corner;

@@ -113,10 +113,12 @@ class BoundaryFeatures {
   /// Whether the edge pq is a rung: p and q lie on two closed features, none of which holds both, that share a
   /// corner or a segment, and |pq| < lambda min(d(p,X), d(q,X)) for the nearest such X. If X is a segment, and
   /// the angle there is below 60 degrees, the nearest common corner may take its place.
-  std::optional<Rung> rung(Vertex p, Vertex q, double lambda) const;
+  /// @param ends  a corner, which is given, excuses nothing, but can be part of the reason for what is there.
+  enum class Ends : std::uint8_t { no_corners, any };
+  std::optional<Rung> rung(Vertex p, Vertex q, double lambda, Ends ends = Ends::no_corners) const;
 
  private:
-  std::vector<Feature> features_without(Vertex v, Vertex other) const;
+  std::vector<Feature> features_without(Vertex v, Vertex other, Ends ends) const;
   bool is_acute(const Point<Dim>& a, const Point<Dim>& b, std::uint32_t segment) const;
   template <class Visit>
   void for_each_common(const Feature& f, const Feature& g, Visit&& visit) const;

@@ -10,8 +10,19 @@
 #include "core/star_walk.h"
 #include "refine/cells.h"
 #include "refine/facet_index.h"
+#include "refine/point_text.h"
 
 namespace sinkmesh {
+namespace {
+
+// "hole 0 (1, 2)"
+template <int Dim>
+std::string seed_text(SeedError::Kind kind, std::size_t seed, const Point<Dim>& p) {
+  return (kind == SeedError::Kind::hole ? "hole " : "region ") + std::to_string(seed) + ' ' +
+         point_text<Dim>(p);
+}
+
+}  // namespace
 
 // One half-facet for each facet, or null.
 template <int Dim>
@@ -107,28 +118,34 @@ void Domain<Dim>::label(std::span<const Facet> facets, std::span<const Wall> wal
     inside = graph.label(components.is_even());
   } else {
     std::fill(inside.begin() + 1, inside.end(), true);
-    const auto cell_at = [&](const Point<Dim>& p, const char* what) {
+    const auto cell_of = [&](SeedError::Kind kind, std::size_t seed, const Point<Dim>& p) {
+      const auto fail = [&](const char* why) {
+        throw SeedError(kind, seed, seed_text<Dim>(kind, seed, p) + why);
+      };
       std::uint32_t cell = Cells<Dim>::kUnbounded;
       if (triangulation_->gate().admits(p)) {
         const Location<Dim> at = triangulation_->locate(triangulation_->gate().in(p));
-        if (is_on_wall(at)) throw InputError(std::string("a ") + what + " of the surface lies on it: move it");
+        if (is_on_wall(at)) fail(" lies on the surface: move it");
         cell = cells.of(at.simplex);
       }
-      if (cell == Cells<Dim>::kUnbounded) {
-        throw InputError(std::string("a ") + what + " of the surface is not enclosed by it: remove or move it");
-      }
+      if (cell == Cells<Dim>::kUnbounded) fail(" is not enclosed by the surface: remove or move it");
       return cell;
     };
-    for (const auto& region : seeds.regions) tagged.emplace_back(cell_at(region.point, "region"), region.tag);
-    for (const auto& [cell, tag] : tagged) {
-      const auto first =
-          std::find_if(tagged.begin(), tagged.end(), [&, c = cell](const auto& t) { return t.first == c; });
-      if (first->second == tag) continue;
-      throw InputError("two regions of the surface, with the attributes " + std::to_string(first->second) +
-                       " and " + std::to_string(tag) +
-                       ", are one, nothing lies between them: remove one of the points");
+    for (std::size_t i = 0; i < seeds.regions.size(); ++i) {
+      const auto& region = seeds.regions[i];
+      const std::uint32_t cell = cell_of(SeedError::Kind::region, i, region.point);
+      for (const auto& [other, tag] : tagged) {
+        if (other != cell || tag == region.tag) continue;
+        throw SeedError(SeedError::Kind::region, i,
+                        seed_text<Dim>(SeedError::Kind::region, i, region.point) + " has the attribute " +
+                            std::to_string(region.tag) + ", but lies in one region with a point that has " +
+                            std::to_string(tag) + ": remove one of them");
+      }
+      tagged.emplace_back(cell, region.tag);
     }
-    for (const Point<Dim>& hole : seeds.holes) inside[cell_at(hole, "hole")] = false;
+    for (std::size_t i = 0; i < seeds.holes.size(); ++i) {
+      inside[cell_of(SeedError::Kind::hole, i, seeds.holes[i])] = false;
+    }
   }
   if (std::find(inside.begin(), inside.end(), true) == inside.end()) {
     throw InputError(

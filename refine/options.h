@@ -48,7 +48,9 @@ enum class Fallback : std::uint8_t {
 enum class BoundaryMode : std::uint8_t {
   automatic,  ///< fixed if the surface is stable as given, else refine
   fixed,      ///< kept as given; what is not stable is peeled off [EG01, 5.1]
-  refine,     ///< divided where that is needed: to be Delaunay, to be stable, and for quality
+  /// Divided where that is needed: to be Delaunay, to be stable, and for quality. A surface that is all that as
+  /// given is left alone if dividing it would leave more simplices of low quality.
+  refine,
 };
 
 struct BoundaryOptions {
@@ -157,7 +159,7 @@ struct Rejections {
 
 /// Why a simplex of low quality remains, in the order in which reasons are looked for.
 enum class LeftoverReason : std::uint8_t {
-  small_angle,     ///< short only because the surface has a small angle there: see Leftover
+  small_angle,     ///< only because the surface has a small angle there: see Leftover
   boundary_facet,  ///< has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it
   untried,         ///< the run ended before
   boundary,        ///< a point for it was rejected for this reason ...
@@ -191,7 +193,8 @@ struct Remaining {
 struct BoundaryFeature {
   enum class Kind : std::uint8_t { none, corner, segment, patch };
   Kind kind = Kind::none;
-  /// Ids of the input: the vertex of a corner, the two of a segment; of a patch its largest facet.
+  /// The point of the mesh that is a corner, the two that are the ends of a segment; of a patch its largest
+  /// facet in the input.
   std::array<std::uint32_t, 2> ids{};
 };
 
@@ -202,8 +205,8 @@ struct Leftover {
   std::array<std::uint32_t, Dim + 1> corners{};  ///< points of the mesh
   double ratio = 0;
   Reason reason = Reason::untried;
-  /// With `small_angle`: the two features that its shortest edge joins, and the corner or segment at which they
-  /// meet.
+  /// With `small_angle`: the two features that its shortest edge joins, or of which it has sides, and the
+  /// corner or segment at which they meet.
   BoundaryFeature first;
   BoundaryFeature second;
   BoundaryFeature common;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -56,10 +55,10 @@ std::string count_of(std::size_t n, const char* one, const char* many) {
 template <int Dim>
 struct SurfaceMesher<Dim>::State {
   explicit State(const Surface<Dim>& surface)
-      : surface_points(surface.points),
-        facet_tags(surface.facet_tags),
+      : facet_tags(surface.facet_tags),
         seeds(surface.seeds),
         used(surface),
+        unused_points(surface.points.size() - used.points.size()),
         triangulation(used.points),
         domain(triangulation),
         flow(triangulation) {}
@@ -74,10 +73,10 @@ struct SurfaceMesher<Dim>::State {
   bool is_stable();
   std::vector<std::int64_t> parents_of(std::span<const HalfFacet> walls) const;
 
-  std::vector<Point<Dim>> surface_points;
   std::vector<std::int64_t> facet_tags;
   Seeds<Dim> seeds;
   UsedPoints<Dim> used;
+  std::size_t unused_points;
   Triangulation<Dim> triangulation;
   Domain<Dim> domain;
   Flow<Dim> flow;
@@ -86,6 +85,7 @@ struct SurfaceMesher<Dim>::State {
   std::optional<Conformer<Dim>> conformer;
   BoundaryRules<Dim> rules;
   bool projects = true;  // see Conformer
+  bool is_stable_as_given = false;
   std::vector<Leftover<Dim>> leftovers;
 };
 
@@ -153,7 +153,7 @@ void SurfaceMesher<Dim>::State::start_conforming(std::span<const HalfFacet> foun
   boundary.emplace(triangulation, domain, used.facets, found, facet_tags, options.flat * diagonal);
   rules = {&boundary->features(),
            2 * std::sin(options.small_angle.value_or(default_angle) * (std::numbers::pi / 360)),
-           kFloor * diagonal};
+           kFloor * diagonal, is_stable_as_given};
   conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor, projects);
   conformer->start();
 }
@@ -211,9 +211,11 @@ BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
             " of the surface are not in the Delaunay triangulation of its vertices (the first is facet " +
             std::to_string(first) + "): let the boundary be refined, or divide them into smaller ones");
   }
-  if (mode != BoundaryMode::refine && missing == 0) {
+  if (missing == 0) {
     state.domain.label(state.used.facets, Domain<Dim>::walls_at(found), state.seeds);
-    if (mode == BoundaryMode::fixed || state.is_stable()) return state.find_fixed();
+    state.is_stable_as_given = state.is_stable();
+    const bool is_to_divide = mode == BoundaryMode::refine || !state.is_stable_as_given;
+    if (mode == BoundaryMode::fixed || !is_to_divide) return state.find_fixed();
   }
   if (missing != 0) state.require_no_crossing();
   state.require_room_between_facets();
@@ -313,40 +315,12 @@ void SurfaceMesher<Dim>::State::require_no_crossing() const {
 
 template <int Dim>
 std::vector<Leftover<Dim>> SurfaceMesher<Dim>::leftovers() const {
-  const std::vector<std::uint32_t> ids = mesh_ids();
-  std::vector<Leftover<Dim>> result = state_->leftovers;
-  for (Leftover<Dim>& leftover : result) {
-    for (std::uint32_t& v : leftover.corners) v = ids[v];
-    for (BoundaryFeature* feature : {&leftover.first, &leftover.second, &leftover.common}) {
-      using Kind = BoundaryFeature::Kind;
-      if (feature->kind != Kind::corner && feature->kind != Kind::segment) continue;
-      for (std::uint32_t& v : feature->ids) v = ids[v];
-    }
-  }
-  return result;
+  return state_->leftovers;
 }
 
-// Ids of the complex to ids of the mesh: input points keep theirs, Steiner points follow all of them; but one
-// that lies exactly where an unused input point does is that point.
 template <int Dim>
-std::vector<std::uint32_t> SurfaceMesher<Dim>::mesh_ids() const {
-  const std::vector<Point<Dim>>& given = state_->surface_points;
-  const Complex<Dim>& complex = state_->triangulation.complex();
-  std::vector<std::uint32_t> ids = state_->used.input_id;
-  std::map<Point<Dim>, std::uint32_t> unused;
-  for (std::uint32_t p = 0, next = 0; p < given.size(); ++p) {
-    if (next < ids.size() && ids[next] == p) {
-      ++next;
-    } else {
-      unused.emplace(given[p], p);
-    }
-  }
-  auto new_id = static_cast<std::uint32_t>(given.size());
-  for (auto v = static_cast<std::uint32_t>(ids.size()); v < complex.num_vertices(); ++v) {
-    const auto same = unused.find(state_->triangulation.point(Vertex(v)));
-    ids.push_back(same != unused.end() ? same->second : new_id++);
-  }
-  return ids;
+std::size_t SurfaceMesher<Dim>::num_unused_points() const {
+  return state_->unused_points;
 }
 
 template <int Dim>
@@ -381,17 +355,14 @@ std::uint64_t SurfaceMesher<Dim>::hash() const {
 template <int Dim>
 Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
   const Complex<Dim>& complex = state_->triangulation.complex();
-  const std::vector<std::uint32_t> id = mesh_ids();
   Mesh<Dim> mesh;
-  mesh.points = state_->surface_points;
-  for (auto v = static_cast<std::uint32_t>(state_->used.input_id.size()); v < complex.num_vertices(); ++v) {
-    if (id[v] == mesh.points.size()) mesh.points.push_back(state_->triangulation.point(Vertex(v)));
+  mesh.points.reserve(complex.num_vertices());
+  for (std::uint32_t v = 0; v < complex.num_vertices(); ++v) {
+    mesh.points.push_back(state_->triangulation.point(Vertex(v)));
   }
   typename Mesh<Dim>::Field region{"region", {}};
   for (const Simplex s : state_->domain.simplices()) {
-    auto simplex = corner_ids<Dim>(complex, s);
-    for (std::uint32_t& v : simplex) v = id[v];
-    mesh.simplices.push_back(simplex);
+    mesh.simplices.push_back(corner_ids<Dim>(complex, s));
     region.values.push_back(state_->domain.region(s));
   }
   mesh.simplex_fields.push_back(std::move(region));
@@ -404,11 +375,7 @@ Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
   }
 
   const std::vector<HalfFacet> walls = state_->domain.boundary();
-  for (const HalfFacet h : walls) {
-    auto facet = facet_ids<Dim>(complex, h);
-    for (std::uint32_t& v : facet) v = id[v];
-    mesh.boundary.push_back(facet);
-  }
+  for (const HalfFacet h : walls) mesh.boundary.push_back(facet_ids<Dim>(complex, h));
   typename Mesh<Dim>::Field parent{"parent", state_->parents_of(walls)};
   mesh.boundary_fields.push_back(std::move(parent));
   if (!state_->facet_tags.empty()) {

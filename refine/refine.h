@@ -42,6 +42,10 @@ class SurfaceMesher {
   /// After refine(): each simplex of low quality that remains, the worst ratio first. Linear.
   std::vector<Leftover<Dim>> leftovers() const;
 
+  /// Points of the surface that belong to no facet: they are left out, for a loose vertex inside of
+  /// circumspheres would contradict that the mesh is Delaunay.
+  std::size_t num_unused_points() const;
+
   /// Of the domain as it is now. Linear.
   QualityStatistics statistics(double max_ratio) const;
   /// Vertices of the domain as it is now.
@@ -49,11 +53,10 @@ class SurfaceMesher {
   /// Of the simplices of the domain, by their coordinates in the units of the input: equal for equal meshes,
   /// whatever the numbering.
   std::uint64_t hash() const;
-  /// The domain as plain arrays, in the units of the input. All points of the surface come first, the unused
-  /// ones too, with their ids; then the Steiner points, but for those that lie where an unused point does,
-  /// which is used then. Fields: of simplices their "region", counted from 1, and its "tag" if the surface has
-  /// region seeds; of boundary facets the "parent", the facet of the surface of which they are a part, and its
-  /// "tag" if facets have tags.
+  /// The domain as plain arrays, in the units of the input. The points of the surface come first, in their
+  /// order but without the unused ones; then the Steiner points. Fields: of simplices their "region", counted
+  /// from 1, and its "tag" if the surface has region seeds; of boundary facets the "parent", the facet of the
+  /// surface of which they are a part, and its "tag" if facets have tags.
   Mesh<Dim> mesh() const;
 
   const Triangulation<Dim>& triangulation() const;
@@ -62,8 +65,6 @@ class SurfaceMesher {
   std::size_t bytes() const;
 
  private:
-  std::vector<std::uint32_t> mesh_ids() const;
-
   struct State;
   std::unique_ptr<State> state_;
 };

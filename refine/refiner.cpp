@@ -40,6 +40,7 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       boundary_(&boundary),
       conformer_(&conformer),
       inserter_(triangulation, domain, flow, options.max_ratio, rules),
+      is_stable_as_given_(rules.is_stable_as_given),
       on_segments_before_(conformer.points_on_segments()),
       on_patches_before_(conformer.points_on_patches()) {
   require_valid(options);
@@ -60,12 +61,12 @@ RefineResult Refiner<Dim>::run() {
   }
   if (conformer_ != nullptr) refine_boundary();
   result_.stop = budget_.stop();
-  if (!is_valid_ && !is_bold_ && result_.stop == Stop::no_candidate) result_.stop = Stop::floor;
+  if (!is_valid_ && !is_known_ && result_.stop == Stop::no_candidate) result_.stop = Stop::floor;
   result_.prestars = inserter_.num_prestars();
   result_.inserted = num_inserted();
   result_.rejected = inserter_.rejections();
   result_.rejected.dependent += dependent_;
-  if (is_valid_) classify_remaining();
+  if (is_valid_) classify_remaining(conformer_ == nullptr);
   if (is_valid_ && is_stopped()) result_.centers_beyond = count_centers_beyond();
   if (conformer_ != nullptr) {
     result_.points_on_segments = conformer_->points_on_segments() - on_segments_before_;
@@ -80,7 +81,7 @@ RefineResult Refiner<Dim>::run() {
 template <int Dim>
 RefineResult Refiner<Dim>::look() {
   inserter_.measure_all();
-  classify_remaining();
+  classify_remaining(false);
   result_.centers_beyond = count_centers_beyond();
   return result_;
 }
@@ -158,10 +159,11 @@ bool Refiner<Dim>::has_fallback() const {
 }
 
 template <int Dim>
-typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s) {
+typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s, bool is_fixed) {
   using Reason = typename Leftover<Dim>::Reason;
-  if (inserter_.is_excused(s)) return Reason::small_angle;
-  if (conformer_ != nullptr && !inserter_.is_hopeless(s)) return Reason::untried;
+  if (inserter_.is_excused(s) || inserter_.sharp_corner(s) >= 0) return Reason::small_angle;
+  if (is_fixed && boundary_ != nullptr && inserter_.rung(s)) return Reason::small_angle;
+  if (!is_fixed && !inserter_.is_hopeless(s)) return Reason::untried;
   const double max_ratio2 = options_.max_ratio * options_.max_ratio;
   for (int i = 0; i <= Dim; ++i) {
     const HalfFacet h = Complex<Dim>::half_facet(s, i);
@@ -185,22 +187,39 @@ typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s) {
   return Reason::omega;
 }
 
+// The small angle that is the reason for s: the features that meet there.
 template <int Dim>
-void Refiner<Dim>::classify_remaining() {
+void Refiner<Dim>::explain(Simplex s, Leftover<Dim>& leftover) const {
+  if (const int i = inserter_.sharp_corner(s); i >= 0) {
+    const auto segment = [&](int k) {
+      const HalfFacet wall = Complex<Dim>::half_facet(s, (i + k) % (Dim + 1));
+      if (boundary_ != nullptr) {
+        return boundary_->describe(
+            {Feature::Kind::segment, boundary_->sub_facets()[boundary_->at(wall)].owner});
+      }
+      const auto ends = inserter_.complex().facet(wall);
+      return BoundaryFeature{BoundaryFeature::Kind::segment, {ends[0].index(), ends[1].index()}};
+    };
+    leftover.first = segment(1);
+    leftover.second = segment(2);
+    leftover.common = {BoundaryFeature::Kind::corner, {inserter_.complex().corner(s, i).index(), 0}};
+  } else if (const auto rung = inserter_.rung(s)) {
+    leftover.first = boundary_->describe(rung->first);
+    leftover.second = boundary_->describe(rung->second);
+    leftover.common = boundary_->describe(rung->common);
+  }
+}
+
+template <int Dim>
+void Refiner<Dim>::classify_remaining(bool is_fixed) {
   const Complex<Dim>& complex = inserter_.complex();
   std::vector<std::pair<std::uint64_t, Leftover<Dim>>> found;
   for (const Simplex s : inserter_.low_quality()) {
     Leftover<Dim> leftover;
     for (int i = 0; i <= Dim; ++i) leftover.corners[static_cast<std::size_t>(i)] = complex.corner(s, i).index();
     leftover.ratio = std::sqrt(shape<Dim>(complex.corners(s)).ratio2());
-    leftover.reason = reason_for(s);
-    if (leftover.reason == LeftoverReason::small_angle) {
-      if (const auto rung = inserter_.rung(s)) {
-        leftover.first = boundary_->describe(rung->first);
-        leftover.second = boundary_->describe(rung->second);
-        leftover.common = boundary_->describe(rung->common);
-      }
-    }
+    leftover.reason = reason_for(s, is_fixed);
+    if (leftover.reason == LeftoverReason::small_angle) explain(s, leftover);
     found.emplace_back(inserter_.tie(s), leftover);
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {

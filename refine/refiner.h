@@ -41,12 +41,12 @@ class Refiner {
   RefineResult run();
   /// Instead of run(): `remaining` and `centers_beyond` if nothing is done.
   RefineResult look();
-  /// After run(): null if the mesh is valid. Else a budget, the cancel flag or the floor has ended it in the
-  /// middle of what a point on the boundary set off, and this is a valid state shortly before: rebuild that,
-  /// and, unless this one knows, ask a new Refiner what remains.
+  /// After run(): null if the mesh is what was asked for. Else a budget, the cancel flag or the floor has ended
+  /// it in the middle of what a point on the boundary set off, or a state before was better; this is a valid
+  /// state shortly before, or that one: rebuild it, and, unless this Refiner knows, ask a new one what remains.
   const typename Boundary<Dim>::Snapshot* last_valid() const { return is_valid_ ? nullptr : &*last_valid_; }
   /// Whether leftovers() and `remaining` are those of last_valid(), too.
-  bool knows_leftovers() const { return is_valid_ || is_bold_; }
+  bool knows_leftovers() const { return is_valid_ || is_known_; }
   /// After run(): the simplices of low quality that remain, the worst ratio first. Corners and features are
   /// those of the complex.
   const std::vector<Leftover<Dim>>& leftovers() const { return leftovers_; }
@@ -62,6 +62,8 @@ class Refiner {
   void run_incremental(bool divides_boundary);
   void run_rounds();
   void refine_boundary();
+  void divide_boundary(std::size_t enough);
+  bool is_complete();
   // Each returns whether it has inserted a point.
   bool divide_for(Simplex s);
   bool divide_for(const Candidate<Dim>& candidate, double relaxed2);
@@ -71,6 +73,7 @@ class Refiner {
   bool bring_centers_inside();
   bool expel_flat_simplices();
   bool is_flat(Simplex s) const;
+  bool is_to_expel(Simplex s) const { return conformer_->is_on_one_patch(s) || is_flat(s); }
   bool insert_center_of_circle(Simplex s);
   HalfFacet wall_before_center(Simplex s);
   bool is_center_beyond(Simplex s) { return !flow_->is_sink(s) && !wall_before_center(s).is_null(); }
@@ -113,8 +116,10 @@ class Refiner {
   bool is_stopped() const { return budget_.stop() != Stop::no_candidate || !is_valid_; }
   void begin_round();
   void end_round();
-  void classify_remaining();
-  typename Leftover<Dim>::Reason reason_for(Simplex s);
+  // If the boundary counts as fixed, what points on it could mend is not `untried`.
+  void classify_remaining(bool is_fixed);
+  typename Leftover<Dim>::Reason reason_for(Simplex s, bool is_fixed);
+  void explain(Simplex s, Leftover<Dim>& leftover) const;
 
   RefineOptions options_;
   Budget budget_;
@@ -128,9 +133,11 @@ class Refiner {
   std::size_t dependent_ = 0;   // found so before a search
   std::size_t num_merged_ = 0;  // candidates that fell together with others of the round
   std::size_t inserted_before_round_ = 0;
-  bool generous_ = false;  // with points on the boundary
+  bool generous_ = false;            // with points on the boundary
+  bool is_stable_as_given_ = false;  // the boundary
   bool is_valid_ = true;
-  bool is_bold_ = false;  // fewer are excused than was asked for: if that fails, the state before is the result
+  bool is_known_ =
+      false;  // what remains of last_valid_, to which the run comes back if what follows is no better
   std::optional<typename Boundary<Dim>::Snapshot> last_valid_;
   std::size_t on_segments_before_ = 0;
   std::size_t on_patches_before_ = 0;

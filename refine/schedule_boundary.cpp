@@ -6,6 +6,7 @@
 // follows from one is not local in advance.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/location.h"
 #include "core/mix.h"
@@ -25,28 +26,54 @@ void Refiner<Dim>::settle_boundary() {
   if (!is_valid_) return;
   for (const Simplex s : conformer_->label_new()) inserter_.add(s);
   const std::size_t num_new = inserter_.complex().num_vertices() - last_valid_->num_vertices;
-  if (!is_bold_ && num_new > kFew + last_valid_->num_vertices / kPart) last_valid_ = boundary_->snapshot();
+  if (!is_known_ && num_new > kFew + last_valid_->num_vertices / kPart) last_valid_ = boundary_->snapshot();
+}
+
+// Points on the boundary may leave more simplices that a small angle excuses than they mend. A surface that
+// could be kept as given, which is stable and needed no point to conform, is kept then: no more of low quality
+// than with a fixed boundary.
+template <int Dim>
+void Refiner<Dim>::refine_boundary() {
+  if (on_segments_before_ + on_patches_before_ != 0) {
+    return divide_boundary(std::numeric_limits<std::size_t>::max());
+  }
+  const std::size_t fixed = inserter_.num_low_quality();
+  if (fixed == 0 || !is_stable_as_given_ || !is_complete()) return divide_boundary(fixed);
+  const typename Boundary<Dim>::Snapshot given = boundary_->snapshot();
+  classify_remaining(true);
+  const auto leftovers = leftovers_;
+  const auto remaining = result_.remaining;
+  divide_boundary(fixed);
+  const std::size_t left = is_valid_ ? inserter_.num_low_quality() : leftovers_.size();
+  if (budget_.stop() != Stop::no_candidate || left <= fixed) return;
+  last_valid_ = given;
+  leftovers_ = leftovers;
+  result_.remaining = remaining;
+  is_valid_ = false;
+  is_known_ = true;
+}
+
+// Whether nothing is left to do once the boundary has been divided for quality.
+template <int Dim>
+bool Refiner<Dim>::is_complete() {
+  const std::vector<Simplex> inside = inserter_.domain().simplices();
+  return std::none_of(inside.begin(), inside.end(),
+                      [this](Simplex s) { return is_center_beyond(s) || is_to_expel(s); });
 }
 
 // At first only with points that are nearly as far from all vertices as the center for which they stand; that
 // keeps the mesh small. What is left then has to be content with any that makes no edge shorter than the one
-// that is to go.
-//
-// Points on the boundary may leave more simplices that a small angle excuses than they mend. On a surface that
-// is conforming as given, fewer are excused then, until there are no more of low quality than a fixed boundary
-// leaves.
+// that is to go. Fewer are excused then, until there are no more of low quality than is enough.
 template <int Dim>
-void Refiner<Dim>::refine_boundary() {
+void Refiner<Dim>::divide_boundary(std::size_t enough) {
   // Of 17 degrees: further down spirals begin, in the plane at once.
   constexpr double kLeastLambda = Dim == 2 ? HUGE_VAL : 0.2956;
   constexpr double kStep = 0.6;
-  const bool is_given = on_segments_before_ + on_patches_before_ == 0;
-  const std::size_t fixed = inserter_.num_low_quality();
   for (double lambda = conformer_->lambda();; lambda = std::max(lambda * kStep, kLeastLambda)) {
     last_valid_ = boundary_->snapshot();
     if (lambda != conformer_->lambda()) {
-      is_bold_ = true;
-      classify_remaining();
+      is_known_ = true;
+      classify_remaining(false);
       boundary_->forget_relaxed_radii();
       conformer_->set_lambda(lambda);
       inserter_.set_lambda(lambda);
@@ -56,7 +83,7 @@ void Refiner<Dim>::refine_boundary() {
       run_incremental(true);
       if (is_stopped() || (generous_ && !bring_centers_inside() && !expel_flat_simplices())) break;
     }
-    if (!is_given || inserter_.num_low_quality() <= fixed || lambda <= kLeastLambda || is_stopped()) return;
+    if (inserter_.num_low_quality() <= enough || lambda <= kLeastLambda || is_stopped()) return;
   }
 }
 
@@ -249,7 +276,7 @@ bool Refiner<Dim>::insert_center_of_circle(Simplex s) {
 // Each time one is moved out there is one less, or there is one more vertex.
 template <int Dim>
 bool Refiner<Dim>::expel_flat_simplices() {
-  return mend_each([this](Simplex s) { return conformer_->is_on_one_patch(s) || is_flat(s); },
+  return mend_each([this](Simplex s) { return is_to_expel(s); },
                    [this](Simplex s) {
                      // What cannot be expelled is a trapezoid inside, of points that are placed alike.
                      if (!conformer_->expel(s)) return insert_center_of_circle(s);

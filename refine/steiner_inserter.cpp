@@ -132,7 +132,23 @@ double SteinerInserter<Dim>::relaxed_length2(Simplex s, double shortest2) const 
 
 template <int Dim>
 bool SteinerInserter<Dim>::is_excused_by_angle(Simplex s, const Shape& shape) const {
-  return shape.radius2 <= max_ratio2_ * relaxed_length2(s, shape.shortest2);
+  return sharp_corner(s) >= 0 || shape.radius2 <= max_ratio2_ * relaxed_length2(s, shape.shortest2);
+}
+
+template <int Dim>
+int SteinerInserter<Dim>::sharp_corner(Simplex s) const {
+  if constexpr (Dim == 2) {
+    const double shortest2 = shape<Dim>(complex().corners(s)).shortest2;
+    const auto is_wall = [&](int i) { return domain_->is_wall(Complex<Dim>::half_facet(s, i)); };
+    for (int i = 0; i <= Dim; ++i) {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      const Point2& a = complex().point(complex().corner(s, j));
+      const Point2& b = complex().point(complex().corner(s, k));
+      if (is_wall(j) && is_wall(k) && squared_distance(a, b) <= shortest2) return i;
+    }
+  }
+  return -1;
 }
 
 template <int Dim>
@@ -147,9 +163,11 @@ void SteinerInserter<Dim>::set_lambda(double lambda) {
 
 template <int Dim>
 std::optional<Rung> SteinerInserter<Dim>::rung(Simplex s) const {
+  using Ends = typename BoundaryFeatures<Dim>::Ends;
   std::optional<Rung> result;
+  const Ends ends = is_excused(s) ? Ends::no_corners : Ends::any;
   for_each_shortest_edge(s, shape<Dim>(complex().corners(s)).shortest2, [&](Vertex p, Vertex q) {
-    if (!result) result = rules_.features->rung(p, q, rules_.lambda);
+    if (!result) result = rules_.features->rung(p, q, rules_.lambda, ends);
     const Vertex young = std::max(p, q);
     const Vertex culprit = rules_.features->vertex(young).culprit;
     if (!result && !culprit.is_null()) result = rules_.features->rung(young, culprit, rules_.lambda);

@@ -49,6 +49,7 @@ struct BoundaryRules {
   const BoundaryFeatures<Dim>* features = nullptr;
   double lambda = 0;  ///< see BoundaryFeatures::rung()
   double floor = 0;   ///< no edge counts as shorter; gated
+  bool is_stable_as_given = false;
 };
 
 /// Keeps the triangulation, the domain, the flow and the list of simplices of low quality together while points
@@ -105,7 +106,7 @@ class SteinerInserter {
   double separation2() const { return separation2_; }
 
   bool is_low_quality(Simplex s) const { return notes_[s.index()] & kLow; }
-  /// Of low quality, but left alone, because a small angle of the surface is the reason.
+  /// Of low quality, but left alone, because a small angle of the surface is the reason. Not if that is fixed.
   bool is_excused(Simplex s) const { return notes_[s.index()] & kExcused; }
   /// Judges anew who is excused.
   void set_lambda(double lambda);
@@ -114,8 +115,12 @@ class SteinerInserter {
     return relaxed_length2(s, shape<Dim>(complex().corners(s)).shortest2);
   }
   /// Why s is excused: a rung among its shortest edges, or, if the excuse is inherited, the one between a
-  /// vertex and its culprit.
+  /// vertex and its culprit. If s is not excused, one between corners, if there is.
   std::optional<Rung> rung(Simplex s) const;
+  /// In the plane: the corner of s, as its index, at which two walls meet, if the edge opposite it is the
+  /// shortest; else -1. However the walls are divided, some triangle has that angle: nothing is gained by
+  /// working on s.
+  int sharp_corner(Simplex s) const;
   /// Whether the point of s has been refused. It is not tried again while s lives.
   bool is_rejected(Simplex s) const { return rejection(s) != Verdict::inserted; }
   /// The reason, or `inserted` for none.

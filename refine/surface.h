@@ -53,4 +53,21 @@ class FacetError : public InputError {
   std::size_t facet_;
 };
 
+/// The surface cannot be used because of one of its seeds, which the message names.
+class SeedError : public InputError {
+ public:
+  enum class Kind : std::uint8_t { hole, region };
+
+  SeedError(Kind kind, std::size_t seed, const std::string& message)
+      : InputError(message), kind_(kind), seed_(seed) {}
+
+  Kind kind() const { return kind_; }
+  /// Its place among those of its kind.
+  std::size_t seed() const { return seed_; }
+
+ private:
+  Kind kind_;
+  std::size_t seed_;
+};
+
 }  // namespace sinkmesh

@@ -6,13 +6,13 @@
 #include "refine/surface_check.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <numeric>
 #include <utility>
 
 #include "predicates/predicates.h"
+#include "refine/point_text.h"
 #include "refine/self_intersections.h"
 #include "refine/union_find.h"
 
@@ -251,11 +251,6 @@ SignedVolume signed_volume(const Surface<Dim>& surface) {
   return {std::ldexp(sum / (Dim == 2 ? 2 : 6), -Dim * exponent), sum < -error};
 }
 
-std::string number_text(double x) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
-}
-
 template <int Dim>
 class Checker {
  public:
@@ -289,14 +284,7 @@ class Checker {
   std::string vertex_text(std::uint32_t v) const {
     std::string text = "vertex " + std::to_string(v);
     if (v >= surface_.points.size()) return text;
-    const char* before = " (";
-    for (const double x : surface_.points[v]) {
-      text += before;
-      text += number_text(x);
-      before = ", ";
-    }
-    text += ')';
-    return text;
+    return text + ' ' + point_text<Dim>(surface_.points[v]);
   }
   template <class Vertices>
   std::string vertices_text(const Vertices& vertices) const {

@@ -12,11 +12,11 @@
 
 namespace sinkmesh {
 
-/// The points that facets use, without gaps. Unused points of a surface must not become vertices of the mesh.
+/// The points that facets use, in their order, without gaps. Unused points of a surface must not become
+/// vertices of the mesh.
 template <int Dim>
 struct UsedPoints {
   std::vector<Point<Dim>> points;
-  std::vector<std::uint32_t> input_id;  ///< of each
   std::vector<std::array<Vertex, Dim>> facets;
 
   explicit UsedPoints(const Surface<Dim>& surface) {
@@ -28,7 +28,6 @@ struct UsedPoints {
       if (new_id[p] == 0) continue;
       new_id[p] = static_cast<std::uint32_t>(points.size());
       points.push_back(surface.points[p]);
-      input_id.push_back(p);
     }
     facets.reserve(surface.facets.size());
     for (const auto& facet : surface.facets) {

@@ -196,6 +196,22 @@ class Boundary(ProgramTest):
         self.check(surface, divided)
         self.assertLessEqual(divided["remaining"]["total"], kept["remaining"]["total"])
 
+    def test_dividing_leaves_no_more_than_what_is_given(self):
+        """Needles over a triangle, acute ones, so that they are stable: their tips are of low quality whatever is done."""
+        triangle = [(math.cos(a), math.sin(a), 0) for a in (0, 2, 4)]
+        for height, both in itertools.product((8, 15, 40), (False, True)):
+            points = [*triangle, (0, 0, height), (0, 0, -height)][:5 if both else 4]
+            sides = [(0, 1, 3), (1, 2, 3), (2, 0, 3)]
+            below = [(b, a, 4) for a, b, _ in sides] if both else [(0, 2, 1)]
+            surface = points, sides + below
+            with self.subTest(height=height, both=both):
+                fixed = self.refine_surface(surface, "--boundary", "fixed")
+                self.assertEqual(fixed["peeled"]["simplices"], 0)
+                self.assertGreater(fixed["remaining"]["total"], 0)
+                divided = self.refine_surface(surface, "--boundary", "refine")
+                self.check(surface, divided)
+                self.assertLessEqual(divided["remaining"]["total"], fixed["remaining"]["total"])
+
     def test_fixed_refuses_what_is_not_delaunay(self):
         points = [(0, 0, 0), (2, -1, 0), (4, 0, 0), (2, 1, 0), (2, 0, 3)]
         surface = points, [(0, 2, 1), (0, 3, 2), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
@@ -238,6 +254,24 @@ class Boundary(ProgramTest):
             self.assertEqual(report["final"]["low_quality"], report["remaining"]["total"])
             self.assertEqual(report["remaining"]["untried"], report["remaining"]["total"])
 
+    def test_an_early_end_is_told_even_if_quiet(self):
+        source = self.write("in.off", off(shapes.plate(100)))
+        line = self.fail_with_one_line(3, "refine", source, "-o", self.path("out.mesh"), "-q", "--max-vertices", 1000)
+        self.assertRegex(line, r"in\.off: stopped early, at the limit that was set; the mesh is Delaunay and stable")
+        self.assertTrue((self.folder / "out.mesh").exists())
+
+    def test_facets_in_one_plane_up_to_rounding_are_one_unless_told_otherwise(self):
+        # A prism turned, with one angle of ten degrees.
+        points = [(0, 0, 0), (0.6417521704927418, -0.7027288369581577, 0.30712592429700564),
+                  (0.5065248774379725, -0.8064167919798473, 0.352442492153177),
+                  (0, -0.40047083473492334, -0.9163095058585357),
+                  (0.6417521704927418, -1.103199671693081, -0.6091835815615301),
+                  (0.5065248774379725, -1.2068876267147706, -0.5638670137053586)]
+        source = self.write("in.off", off((points, [(0, 2, 1), (3, 4, 5), (0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (2, 0, 3), (2, 3, 5)])))
+        line = self.fail_with_one_line(3, "refine", source, "-o", self.path("out.mesh"), "--flat", 0)
+        self.assertIn("at --flat 0 facets that are in one plane up to rounding are not joined: leave it out", line)
+        self.refine(source)
+
     def test_pieces_of_an_aligned_plate_stay_aligned(self):
         """Equal tiles, as large as the bound lets them be: six tetrahedra each, of one shape."""
         for k, insert in itertools.product((10, 30), INSERTS):
@@ -245,17 +279,20 @@ class Boundary(ProgramTest):
             self.assertLess(report["final"]["simplices"], k * k)
             self.assertAlmostEqual(report["final"]["ratio"]["min"], report["final"]["ratio"]["max"], delta=1e-9)
 
-    def test_unused_points_keep_their_place(self):
-        """Also where new points fall on them: no two vertices of the mesh are one."""
+    def test_unused_points_are_left_out(self):
+        """A loose vertex, on the surface or in it, would lie in circumspheres."""
         points, facets = shapes.plate(10)
         self.refine_surface((points, facets))
-        made = exact.Mesh(self.path("out.mesh")).points[len(points):]
-        unused = [(-1.0, 0.0, 0.0), *made[::3]]
-        report = self.refine_surface(([*points, *unused], facets))
+        made = exact.Mesh(self.path("out.mesh"))
+        loose = [(-1.0, 0.0, 0.0), *made.points[len(points)::3]]
+        first = len(loose) // 2
+        moved = [tuple(v + first for v in facet) for facet in facets]
+        report = self.refine_surface(([*loose[:first], *points, *loose[first:]], moved))
         mesh = exact.Mesh(self.path("out.mesh"))
-        self.assertEqual(mesh.points[:len(points) + len(unused)], [tuple(map(float, p)) for p in [*points, *unused]])
-        self.assertEqual(sorted(mesh.points), sorted([*map(lambda p: tuple(map(float, p)), points), unused[0], *made]))
-        self.assertEqual(report["final"]["vertices"], len(points) + len(made))
+        self.assertEqual((mesh.points, mesh.simplices), (made.points, made.simplices))
+        self.assertEqual(report["input"]["unused_points"], len(loose))
+        told = self.succeed("refine", self.path("in.off"), "-o", self.path("out.mesh"))
+        self.assertIn(f"{len(loose)} vertices belong to no facet: left out", told)
 
     def test_facets_that_cannot_be_divided_are_found_in_the_file(self):
         crossing = shapes.joined(shapes.cube(), shapes.cube(0.5, 0.5, 0.5))

@@ -102,6 +102,23 @@ class Graphs(ProgramTest):
                 if name in ("comb", "fine comb", "annulus", "thin annulus", "four sectors"):
                     self.assertEqual(report["remaining"]["total"], 0)
 
+    def test_what_is_given_with_a_graph_is_not_divided_in_vain(self):
+        """A triangle at the tip has the angle of the tip, whatever is inserted: nothing is done for it."""
+        sharp = {f"triangle of {degrees} degrees": shapes.polygon(shapes.sector(1, degrees))
+                 for degrees in (0.5, 2, 5, 20, 29)}
+        sharp.update({f"star of {spikes}": shapes.star(spikes, 5) for spikes in (5, 20, 60)})
+        sharp["fan"] = shapes.sectors(30, 3)
+        for name, graph in sharp.items():
+            with self.subTest(name=name):
+                source = self.write("in.poly", graph.poly())
+                fixed = self.refine(source, "--boundary", "fixed")
+                self.check_leftovers(graph, fixed)
+                self.assertEqual(fixed["peeled"]["simplices"], 0)
+                self.assertGreater(fixed["remaining"]["total"], 0)
+                for insert in INSERTS:
+                    divided = self.refine_graph(graph, "--insert", insert)
+                    self.assertLessEqual(divided["remaining"]["total"], fixed["remaining"]["total"])
+
     def test_every_combination(self):
         for insert, schedule in itertools.product(INSERTS, SCHEDULES):
             for name in ("comb", "airfoils", "random polygon 2"):

@@ -112,6 +112,8 @@ class Plane(ProgramTest):
         text = self.succeed("inspect", source, "--report", self.path("report.json"), status=1)
         report = self.report()
         self.assertFalse(report["closed"])
+        self.assertFalse(report["valid"])
+        self.assertIn("valid       no", text)
         self.assertEqual([(note["kind"], note["severity"], note["vertices"], note["line"]) for note in report["notes"]],
                          [("dangling end", "note", [0], 7), ("dangling end", "note", [3], 9)])
         self.assertIn("belongs to facet 2 only [line 9]", text)
@@ -136,6 +138,29 @@ class Plane(ProgramTest):
         source = self.write("squares.poly", squares() + "1\n1 0.5 0.5 2.5\n")
         line = self.fail_with_one_line(1, "refine", source, "-o", self.path("out.vtu"))
         self.assertRegex(line, r"squares\.poly:\d+: the attribute of this region is 2\.5: ")
+
+    def test_seeds_that_cannot_be_are_told_by_number_and_line(self):
+        square = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n"
+        for seeds, words in (("2\n1 0.5 0.5\n2 5 5\n", r":13: hole 1 \(5, 5\) is not enclosed by the surface: "),
+                             ("1\n1 0.5 0\n", r":12: hole 0 \(0\.5, 0\) lies on the surface: "),
+                             ("0\n1\n1 0 0 7\n", r":13: region 0 \(0, 0\) lies on the surface: "),
+                             ("0\n3\n1 .5 .5 7\n2 .5 .25 7\n3 .25 .25 8\n",
+                              r":15: region 2 \(0\.25, 0\.25\) has the attribute 8, but lies in one region with a point that "
+                              r"has 7: remove one of them$")):
+            with self.subTest(seeds=seeds):
+                source = self.write("in.poly", square + seeds)
+                line = self.fail_with_one_line(1, "refine", source, "-o", self.path("out.vtu"))
+                self.assertRegex(line, r"in\.poly" + words)
+                told = self.succeed("inspect", source, "--report", self.path("report.json"), status=1)
+                number, message = line[line.index(".poly:") + 6:].strip().split(": ", 1)
+                self.assertIn(f"error       {message} [line {number}]", told)
+                self.assertNotIn("valid       yes", told)
+                self.assertEqual([defect["kind"] for defect in self.report()["defects"]], ["bounds nothing"])
+
+    def test_points_that_rounding_puts_on_a_line(self):
+        source = self.write("in.poly", "4 2 0 0\n1 0 0\n2 1e-200 0\n3 1e-200 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n")
+        line = self.fail_with_one_line(1, "refine", source, "-o", self.path("out.vtu"))
+        self.assertIn("all points are collinear (2 distinct, now that 2 had to be rounded: coordinates differ too much", line)
 
     def test_flips_and_stars_agree_on_degenerate_points(self):
         ring = "\n".join(f"{x} {y}" for x, y in [(5, 0), (3, 4), (4, 3), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3),

@@ -193,6 +193,21 @@ def star(spikes, degrees, turn=0.1):
     return polygon(points)
 
 
+def sector(count, degrees):
+    """The center of a circle, and points on it: so many sectors of this angle."""
+    angles = [math.radians(i * degrees) for i in range(count + 1)]
+    return [(0.0, 0.0), *((math.cos(a), math.sin(a)) for a in angles)]
+
+
+def sectors(count, degrees):
+    """With a wall between each two."""
+    graph = polygon(sector(count, degrees))
+    graph.segments += [(0, i) for i in range(2, count + 1)]
+    a = math.radians(degrees) / 2
+    graph.regions = [(math.cos(a) / 2, math.sin(a) / 2, 1)]
+    return graph
+
+
 def circle(count, radius, turn=0.0, center=(0.0, 0.0)):
     return [(center[0] + radius * math.cos(2 * math.pi * i / count + turn),
              center[1] + radius * math.sin(2 * math.pi * i / count + turn)) for i in range(count)]

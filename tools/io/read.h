@@ -15,14 +15,18 @@
 
 namespace sinkmesh {
 
-/// Where points and facets came from, for messages about them. Lines count from 1. Both arrays are empty after
-/// reading a binary file; then point() and facet() are 0.
+/// Where things came from, for messages about them. Lines count from 1. The arrays are empty after reading a
+/// binary file; the line of what is not in them is 0.
 struct SourceLines {
   std::vector<std::size_t> points;
   std::vector<std::size_t> facets;
+  std::vector<std::size_t> holes;
+  std::vector<std::size_t> regions;
 
   std::size_t point(std::size_t id) const { return id < points.size() ? points[id] : 0; }
   std::size_t facet(std::size_t id) const { return id < facets.size() ? facets[id] : 0; }
+  std::size_t hole(std::size_t id) const { return id < holes.size() ? holes[id] : 0; }
+  std::size_t region(std::size_t id) const { return id < regions.size() ? regions[id] : 0; }
 };
 
 struct ReadOptions {

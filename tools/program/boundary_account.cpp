@@ -91,7 +91,7 @@ void add_boundary(Summary& summary, const BoundaryResult& boundary, const Refine
 }
 
 std::string failure_line(const BoundaryResult& boundary, const std::string& path, const SourceLines& lines,
-                         std::size_t facets) {
+                         std::size_t facets, const std::string& hint) {
   if (boundary.unconformed.empty()) {
     return FileError(
                path,
@@ -106,9 +106,8 @@ std::string failure_line(const BoundaryResult& boundary, const std::string& path
   const std::uint32_t first = boundary.unconformed.front();
   const std::string message = fmt::format(
       "{} of {} could not be divided into Delaunay ones, the first is facet {}: no mesh is written; look there "
-      "for parts of the surface that nearly touch, or meet at a tiny angle; --flat joins facets that are "
-      "nearly in one plane",
-      grouped(boundary.unconformed.size()), count(facets, "facet", "facets"), first);
+      "for parts of the surface that nearly touch, or meet at a tiny angle{}",
+      grouped(boundary.unconformed.size()), count(facets, "facet", "facets"), first, hint);
   return error_at(path, lines.facet(first), message).what();
 }
 

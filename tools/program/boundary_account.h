@@ -25,8 +25,8 @@ Json to_json(const Remaining& remaining);
 void add_boundary(Summary& summary, const BoundaryResult& boundary, const RefineResult& result,
                   BoundaryMode asked, std::size_t facets, int dim);
 
-/// One line that says why there is no domain. Requires !boundary.ok().
+/// One line that says why there is no domain, and ends with the hint. Requires !boundary.ok().
 std::string failure_line(const BoundaryResult& boundary, const std::string& path, const SourceLines& lines,
-                         std::size_t facets);
+                         std::size_t facets, const std::string& hint);
 
 }  // namespace sinkmesh::program

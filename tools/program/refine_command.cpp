@@ -116,8 +116,13 @@ class RefineRun {
     lap("write");
     progress_.erase();
     write_report(surface, mesher);
-    if (!arguments_.quiet) print(summary(surface, mesher), arguments_.files.output == "-");
-    return result_.stop == Stop::no_candidate ? ExitStatus::done : ExitStatus::stopped_early;
+    const bool is_done = result_.stop == Stop::no_candidate;
+    if (!arguments_.quiet) {
+      print(summary(surface, mesher), arguments_.files.output == "-");
+    } else if (!is_done) {
+      print(fmt::format("{}: stopped {}\n", printable(arguments_.files.input, 200), stopped_early()), true);
+    }
+    return is_done ? ExitStatus::done : ExitStatus::stopped_early;
   }
 
  private:
@@ -128,6 +133,8 @@ class RefineRun {
       return mesher.find_domain(options);
     } catch (const FacetError& error) {
       throw error_at(arguments_.files.input, lines_.facet(error.facet()), error.what());
+    } catch (const SeedError& error) {
+      throw error_at(arguments_.files.input, seed_line(error, lines_), error.what());
     }
   }
 
@@ -136,9 +143,10 @@ class RefineRun {
     progress_.erase();
     write_report(surface, mesher);
     const std::string& input = arguments_.files.input;
-    print(
-        failure_line(boundary_, input == "-" ? "standard input" : input, lines_, surface.facets.size()) + "\n",
-        true);
+    print(failure_line(boundary_, input == "-" ? "standard input" : input, lines_, surface.facets.size(),
+                       hint()) +
+              "\n",
+          true);
     return ExitStatus::stopped_early;
   }
 
@@ -191,6 +199,7 @@ class RefineRun {
                        {"vertices", surface.points.size()},
                        {"facets", surface.facets.size()},
                        {"dimension", Dim},
+                       {"unused_points", mesher.num_unused_points()},
                        {"duplicates", triangulation.duplicates().size()},
                        {"rounded_points", triangulation.gate().rounded_points()}};
     report["options"] = {
@@ -237,11 +246,32 @@ class RefineRun {
     return report;
   }
 
+  // What may help a surface whose facets could not be divided.
+  std::string hint() const {
+    if (Dim == 2) return "";
+    if (arguments_.flat >= BoundaryOptions().flat) return "; --flat joins facets that are nearly in one plane";
+    return fmt::format(
+        "; at --flat {} facets that are in one plane up to rounding are not joined: leave it out",
+        arguments_.flat);
+  }
+
+  std::string stopped_early() const {
+    const std::size_t outside = result_.centers_beyond;
+    return fmt::format("early, {}; the mesh is Delaunay and stable{}", reason_to_stop(result_.stop),
+                       outside == 0 ? ""
+                                    : ", but " + count(outside, "circumcenter lies", "circumcenters lie") +
+                                          " beyond the boundary");
+  }
+
   std::string summary(const Surface<Dim>& surface, const SurfaceMesher<Dim>& mesher) const {
     Summary summary;
     summary.line("input", fmt::format("{}: {}, {}", printable(arguments_.files.input, 200),
                                       count(surface.points.size(), "vertex", "vertices"),
                                       count(surface.facets.size(), "facet", "facets")));
+    if (const std::size_t unused = mesher.num_unused_points(); unused != 0) {
+      summary.line("",
+                   fmt::format("{} to no facet: left out", count(unused, "vertex belongs", "vertices belong")));
+    }
     if (const std::size_t rounded = mesher.triangulation().gate().rounded_points(); rounded != 0) {
       summary.line("", fmt::format("{} rounded: coordinates differ too much in size",
                                    count(rounded, "point was", "points were")));
@@ -255,15 +285,7 @@ class RefineRun {
                                          count(result_.rounds, "round", "rounds"),
                                          count(result_.candidates, "candidate", "candidates")));
     add_remaining(summary, result_.remaining, ratio_);
-    if (result_.stop != Stop::no_candidate) {
-      const std::size_t outside = result_.centers_beyond;
-      summary.line(
-          "stopped",
-          fmt::format("early, {}; the mesh is Delaunay and stable{}", reason_to_stop(result_.stop),
-                      outside == 0 ? ""
-                                   : ", but " + count(outside, "circumcenter lies", "circumcenters lie") +
-                                         " beyond the boundary"));
-    }
+    if (result_.stop != Stop::no_candidate) summary.line("stopped", stopped_early());
     add_times(summary, phases_, total_);
     summary.line("output",
                  arguments_.files.output == "-" ? "standard output" : printable(arguments_.files.output, 200));

@@ -24,7 +24,7 @@ std::string_view phrase(LeftoverReason reason) {
     case LeftoverReason::omega:
       return "that flow to the outside only";
     case LeftoverReason::small_angle:
-      return "at an angle of the surface that excuses them, see --small-angle";
+      return "at a small angle of the surface";
     case LeftoverReason::untried:
       return "not tried: the run ended before";
   }

@@ -47,6 +47,10 @@ std::size_t source_line(const SurfaceDefect& defect, const SourceLines& lines) {
   return lines.point(defect.vertices.front());
 }
 
+std::size_t seed_line(const SeedError& error, const SourceLines& lines) {
+  return error.kind() == SeedError::Kind::hole ? lines.hole(error.seed()) : lines.region(error.seed());
+}
+
 template Surface2 read_surface_input<2>(const FileArguments&, SourceLines&);
 template Surface3 read_surface_input<3>(const FileArguments&, SourceLines&);
 template void require_sound(const Surface2&, const SourceLines&, const std::string&);

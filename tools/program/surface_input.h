@@ -30,5 +30,6 @@ FileError error_at(const std::string& path, std::size_t line, const std::string&
 
 /// Where a defect is in the file: the line of its first facet or vertex; 0 if that is not known.
 std::size_t source_line(const SurfaceDefect& defect, const SourceLines& lines);
+std::size_t seed_line(const SeedError& error, const SourceLines& lines);
 
 }  // namespace sinkmesh::program

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -134,11 +135,20 @@ std::string_view praise(const std::vector<SurfaceDefect>& defects) {
   return Dim == 2 ? "it bounds an area" : "it bounds a solid";
 }
 
+std::string with_line(const std::string& message, std::size_t line) {
+  return line == 0 ? message : fmt::format("{} [line {}]", message, line);
+}
+
+// @param failure  of a surface without errors as such: why it bounds nothing (flat, for instance), or empty.
 void describe_defects(const std::vector<SurfaceDefect>& defects, std::string_view praise,
-                      const SourceLines& lines, Inspection& inspection) {
+                      const std::string& failure, const SourceLines& lines, Inspection& inspection) {
   Json list = Json::array();
   Json notes = Json::array();
   std::size_t errors = 0;
+  if (!failure.empty()) {
+    list.push_back({{"kind", "bounds nothing"}, {"message", failure}});
+    ++errors;
+  }
   for (const SurfaceDefect& defect : defects) {
     const bool is_error = severity(defect.kind) == SurfaceSeverity::error;
     errors += is_error ? 1 : 0;
@@ -156,14 +166,14 @@ void describe_defects(const std::vector<SurfaceDefect>& defects, std::string_vie
   inspection.report["valid"] = errors == 0;
   inspection.summary.line("valid", errors == 0 ? fmt::format("yes: {}", praise)
                                                : fmt::format("no: {}", count(errors, "error", "errors")));
+  if (!failure.empty()) inspection.summary.line("error", failure);
   // Errors first; what to do about them once for each kind.
   for (const bool error_turn : {true, false}) {
     for (std::size_t i = 0; i < defects.size(); ++i) {
       const SurfaceDefect& defect = defects[i];
       if ((severity(defect.kind) == SurfaceSeverity::error) != error_turn) continue;
       const std::size_t line = source_line(defect, lines);
-      inspection.summary.line(error_turn ? "error" : "note",
-                              defect.message + (line == 0 ? "" : fmt::format(" [line {}]", line)));
+      inspection.summary.line(error_turn ? "error" : "note", with_line(defect.message, line));
       if (i + 1 == defects.size() || defects[i + 1].kind != defect.kind) {
         inspection.summary.line("", fmt::format("  what to do: {}", advice(defect.kind)));
       }
@@ -172,10 +182,10 @@ void describe_defects(const std::vector<SurfaceDefect>& defects, std::string_vie
 }
 
 template <int Dim>
-void describe_fit(const Surface<Dim>& surface, double max_ratio, Inspection& inspection) {
+void describe_fit(const Surface<Dim>& surface, const SurfaceFit& found, double max_ratio,
+                  Inspection& inspection) {
   Summary& summary = inspection.summary;
   Json& report = inspection.report;
-  const SurfaceFit found = fit(surface, max_ratio);
   report["missing_facets"] = found.missing.size();
   report["stable"] = found.missing.empty() && found.unstable == 0;
   std::vector<std::size_t> named = found.missing;
@@ -216,17 +226,20 @@ void inspect_surface(const Surface<Dim>& surface, const SourceLines& lines, doub
                      Inspection& inspection) {
   const std::vector<SurfaceDefect> defects = check_surface(surface);
   describe_counts(surface, defects, inspection);
-  describe_defects(defects, praise<Dim>(defects), lines, inspection);
-  if (inspection.has_defects) return;
+  const bool has_errors = std::any_of(defects.begin(), defects.end(), [](const SurfaceDefect& defect) {
+    return severity(defect.kind) == SurfaceSeverity::error;
+  });
+  std::optional<SurfaceFit> found;
+  std::string failure;
   try {
-    describe_fit(surface, max_ratio, inspection);
+    if (!has_errors) found = fit(surface, max_ratio);
+  } catch (const SeedError& error) {
+    failure = with_line(error.what(), seed_line(error, lines));
   } catch (const InputError& error) {
-    // No error of the surface as such, but it bounds nothing: flat, for instance.
-    inspection.has_defects = true;
-    inspection.report["valid"] = false;
-    inspection.report["defects"].push_back({{"kind", "bounds nothing"}, {"message", error.what()}});
-    inspection.summary.line("error", error.what());
+    failure = error.what();
   }
+  describe_defects(defects, praise<Dim>(defects), failure, lines, inspection);
+  if (found) describe_fit(surface, *found, max_ratio, inspection);
 }
 
 template void inspect_surface(const Surface<2>&, const SourceLines&, double, Inspection&);

@@ -196,22 +196,24 @@ Point2 read_seed(TextReader& text) {
   return p;
 }
 
-void read_holes(TextReader& text, Surface2& surface) {
+void read_holes(TextReader& text, SourceLines* lines, Surface2& surface) {
   const std::size_t rows = text.count("the number of holes", 6);
   const std::int64_t first_row = read_first_number(text, rows);
   for (std::size_t i = 0; i < rows; ++i) {
     read_row_number(text, first_row, i);
+    if (lines != nullptr) lines->holes.push_back(text.line());
     surface.seeds.holes.push_back(read_seed(text));
     end_row(text);
   }
 }
 
 // Triangle's attributes are reals; tags are not, and a rounded one could be that of another region.
-void read_regions(TextReader& text, Surface2& surface) {
+void read_regions(TextReader& text, SourceLines* lines, Surface2& surface) {
   const std::size_t rows = text.count("the number of regions", 8);
   const std::int64_t first_row = read_first_number(text, rows);
   for (std::size_t i = 0; i < rows; ++i) {
     read_row_number(text, first_row, i);
+    if (lines != nullptr) lines->regions.push_back(text.line());
     const Point2 p = read_seed(text);
     stay_on_line(text, "the attribute of a region");
     const std::string word(text.peek());
@@ -243,8 +245,8 @@ Surface2 decode_poly(const Source& source, const std::optional<Source>& nodes) {
   surface.points = std::move(node_file.points);
   read_segments(text, node_file.first, source.lines, surface);
   // Files that end here are common, though Triangle wants the holes.
-  if (!text.at_end()) read_holes(text, surface);
-  if (!text.at_end()) read_regions(text, surface);
+  if (!text.at_end()) read_holes(text, source.lines, surface);
+  if (!text.at_end()) read_regions(text, source.lines, surface);
   check_end(text);
   return surface;
 }
