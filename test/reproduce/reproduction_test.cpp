@@ -43,18 +43,19 @@ TEST(Reproduction, HasEveryFigureTableChartAndRun) {
   for (const File& file : reproduce(small_models(), "a machine & more", [&](std::string_view) { ++steps; })) {
     EXPECT_TRUE(files.emplace(file.name, file.bytes).second) << file.name;
   }
-  EXPECT_EQ(steps, 10 + 4 * 8 + 5U);
+  EXPECT_EQ(steps, 12 + 4 * 10 + 5U);
   const std::string& page = files["index.html"];
   for (int figure = 1; figure <= 7; ++figure) {
     EXPECT_EQ(occurrences(page, "id=\"figure-" + std::to_string(figure) + "\""), 1U) << figure;
   }
-  EXPECT_EQ(occurrences(page, "<table>"), 1 + 5 * 2U);
+  EXPECT_EQ(occurrences(page, "<table>"), 1 + 5 * 2 + 1U);
+  EXPECT_EQ(occurrences(page, "id=\"off-sinks\""), 1U);
   for (const char* const model : {"usa", "cuboctahedron", "paraboloid", "star", "head"}) {
     for (const char* const chart : {"size", "candidates", "ratio"}) {
       EXPECT_EQ(occurrences(page, "id=\"" + std::string(model) + "-" + chart + "\""), 1U) << model << chart;
     }
   }
-  EXPECT_EQ(occurrences(page, "data:image/png;base64,"), 12U);
+  EXPECT_EQ(occurrences(page, "data:image/png;base64,"), 20U);
   EXPECT_EQ(occurrences(page, "a machine &amp; more"), 1U);
   // From disk, without a network.
   EXPECT_EQ(occurrences(page, "<script"), 0U);
@@ -62,9 +63,9 @@ TEST(Reproduction, HasEveryFigureTableChartAndRun) {
   EXPECT_EQ(occurrences(page, "http://"), occurrences(page, "http://www.w3.org/2000/svg"));
   EXPECT_EQ(occurrences(page, "https://"), 0U);
 
-  EXPECT_EQ(occurrences(files["runs.csv"], "\n"), 1 + 10 + 4 * 8U);
-  EXPECT_EQ(occurrences(files["results.json"], "\"cpu_seconds\""), 10 + 4 * 8U);
-  EXPECT_EQ(files.size(), 4 + 7 + 12U);
+  EXPECT_EQ(occurrences(files["runs.csv"], "\n"), 1 + 12 + 4 * 10U);
+  EXPECT_EQ(occurrences(files["results.json"], "\"cpu_seconds\""), 12 + 4 * 10U);
+  EXPECT_EQ(files.size(), 4 + 7 + 20U);
   EXPECT_EQ(files["figure-7.svg"].substr(0, 4), "<svg");
   EXPECT_EQ(files["head-after.png"].substr(1, 3), "PNG");
   EXPECT_GT(occurrences(files["rounds.csv"], "\n"), 200U);
@@ -157,6 +158,19 @@ TEST(Tables, PutThePapersNumbersBesideOurs) {
   }
   const std::string costs = cost_table(studies[0]);
   EXPECT_NE(costs.find("<td>5.00</td><td>4.83</td>"), std::string::npos) << costs;  // ours, and 58 min / 12 min
+}
+
+TEST(Tables, PutOffSinksBesideTheOthers) {
+  std::vector<Study> studies = made_up_studies(1020, 5);
+  for (const Schedule schedule : {Schedule::incremental, Schedule::block}) {
+    studies[0].runs.push_back(made_up(Insert::off_sink, schedule, false, 900, 2));
+  }
+  const std::string table = off_sink_table(studies);
+  const auto cells = [](const char* simplices) { return "<b>" + std::string(simplices) + "</b>"; };
+  EXPECT_EQ(occurrences(table, cells("1,020")), 2U);
+  EXPECT_EQ(occurrences(table, cells("1,000")), 2U);
+  EXPECT_EQ(occurrences(table, cells("900")), 2U);
+  EXPECT_NE(table.find("star, offsink"), std::string::npos);
 }
 
 TEST(Paper, KnowsFiveModels) {

@@ -208,4 +208,37 @@ std::string comparison_table(const std::vector<Study>& studies) {
                body);
 }
 
+std::string off_sink_table(const std::vector<Study>& studies) {
+  constexpr Insert kKinds[] = {Insert::circumcenter, Insert::sink, Insert::off_sink};
+  constexpr Schedule kSchedules[] = {Schedule::incremental, Schedule::block};
+  std::string body;
+  for (const Study& study : studies) {
+    for (const Insert insert : kKinds) {
+      Cells cells = {fmt::format("{}, {}", study.model, name(insert))};
+      for (const Schedule schedule : kSchedules) {
+        const Run& run = study.run({insert, schedule});
+        cells.push_back("<b>" + grouped(run.mesh.simplices) + "</b>");
+        for (const std::size_t number :
+             {run.mesh.low_quality, run.result.inserted, run.result.rounds, run.result.candidates}) {
+          cells.push_back(grouped(number));
+        }
+        cells.push_back(measure(run.mesh.ratio_avg));
+        cells.push_back(seconds_text(run.cpu_seconds));
+      }
+      body += row(cells, insert == Insert::off_sink ? " class=\"ratio\"" : "");
+    }
+  }
+  std::string columns;
+  for (std::size_t k = 0; k < std::size(kSchedules); ++k) {
+    columns +=
+        "<th>simplices</th><th>low quality</th><th>inserted</th><th>rounds</th><th>candidates</th>"
+        "<th>r/ℓ avg</th><th>CPU time, s</th>";
+  }
+  return table(
+      "Three kinds of points, the same bound on r/ℓ",
+      "<tr><td></td><th colspan=\"7\">one by one</th><th colspan=\"7\">in blocks</th></tr>\n<tr><td></td>" +
+          columns + "</tr>",
+      body);
+}
+
 }  // namespace sinkmesh::reproduce

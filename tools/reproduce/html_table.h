@@ -19,4 +19,8 @@ std::string cost_table(const Study& study);
 /// One row for each model: the ratios circumcenter / sink of the paper's time and of ours, by schedule.
 std::string comparison_table(const std::vector<Study>& studies);
 
+/// What the paper does not have: off-sinks beside sinks and circumcenters, for each model, one by one and in
+/// blocks.
+std::string off_sink_table(const std::vector<Study>& studies);
+
 }  // namespace sinkmesh::reproduce

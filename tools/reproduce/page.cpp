@@ -66,7 +66,7 @@ std::string navigation(const PageContent& content) {
   for (const StudyPage& s : content.studies) {
     html += fmt::format("<a href=\"#{0}\">{1}</a>", s.study.model, heading(s.study));
   }
-  return html + "</nav>\n";
+  return html + "<a href=\"#off-sinks\">Off-sinks</a></nav>\n";
 }
 
 std::string claims_section(const std::vector<Study>& studies) {
@@ -76,6 +76,16 @@ std::string claims_section(const std::vector<Study>& studies) {
                         escape(claim.verdict), escape(claim.finding));
   }
   return html + "</ul>\n" + comparison_table(studies);
+}
+
+std::string off_sink_section(const std::vector<Study>& studies) {
+  return "<section><h2 id=\"off-sinks\">Beyond the paper: off-sinks</h2>\n"
+         "<p>A sink lies as far along the flow as possible, which is not where the smallest mesh is. An "
+         "off-sink is "
+         "the first point on the way from the shortest edge of a bad simplex to its sink whose distance from "
+         "the "
+         "vertices is a given multiple of that edge.</p>\n" +
+         off_sink_table(studies) + "</section>\n";
 }
 
 std::string study_section(const StudyPage& content) {
@@ -125,7 +135,7 @@ std::string page(const PageContent& content) {
   for (const Picture& picture : content.figures) html += figure(picture);
   html += "</div></section>\n";
   for (const StudyPage& s : content.studies) html += study_section(s);
-  return html + "</body></html>\n";
+  return html + off_sink_section(studies) + "</body></html>\n";
 }
 
 }  // namespace sinkmesh::reproduce

@@ -25,7 +25,8 @@ constexpr double kPlaneRatio = 1.0;
 constexpr double kSpaceRatio = 2.0;
 constexpr int kPictureWidth = 900;
 
-// Of each model. The literal rounds of the schedule whose evolution is charted; all others pruned.
+// Of each model. The literal rounds of the schedule whose evolution is charted; all others pruned. Off-sinks,
+// which the paper does not have, come last.
 std::vector<Plan> plans(int dimension) {
   std::vector<Plan> result;
   for (const Insert insert : {Insert::sink, Insert::circumcenter}) {
@@ -34,6 +35,9 @@ std::vector<Plan> plans(int dimension) {
     result.push_back({insert, Schedule::incremental, false});
     result.push_back({insert, Schedule::parallel, false});
     result.push_back({insert, Schedule::parallel, true});
+  }
+  for (const Schedule schedule : {Schedule::incremental, Schedule::block}) {
+    result.push_back({Insert::off_sink, schedule, false});
   }
   return result;
 }
@@ -126,11 +130,21 @@ std::vector<Picture> pictures_in_space(const std::string& model, const Surface3&
                                          model + "-surface", fmt::format("The surface of the {}", model),
                                          "The input surface.")};
   pictures.push_back(cut("-before", "before"));
-  RefineOptions options;
-  options.max_ratio = kSpaceRatio;
-  options.schedule = Schedule::parallel;
-  mesher.refine(options);
+  const auto refine = [&](Insert insert, Schedule schedule) {
+    mesher = SurfaceMesher3(surface);
+    mesher.find_domain();
+    RefineOptions options;
+    options.max_ratio = kSpaceRatio;
+    options.insert = insert;
+    options.schedule = schedule;
+    mesher.refine(options);
+  };
+  refine(Insert::sink, Schedule::parallel);
   pictures.push_back(cut("-after", "after inserting sinks in parallel"));
+  refine(Insert::circumcenter, Schedule::incremental);
+  pictures.push_back(cut("-circumcenters", "after inserting circumcenters one by one"));
+  refine(Insert::off_sink, Schedule::incremental);
+  pictures.push_back(cut("-off-sinks", "after inserting off-sinks one by one"));
   return pictures;
 }
 
