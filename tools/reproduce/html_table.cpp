@@ -218,8 +218,7 @@ std::string off_sink_table(const std::vector<Study>& studies) {
       for (const Schedule schedule : kSchedules) {
         const Run& run = study.run({insert, schedule});
         cells.push_back("<b>" + grouped(run.mesh.simplices) + "</b>");
-        for (const std::size_t number :
-             {run.mesh.low_quality, run.result.inserted, run.result.rounds, run.result.candidates}) {
+        for (const std::size_t number : {run.mesh.low_quality, run.result.inserted, run.result.candidates}) {
           cells.push_back(grouped(number));
         }
         cells.push_back(measure(run.mesh.ratio_avg));
@@ -231,12 +230,12 @@ std::string off_sink_table(const std::vector<Study>& studies) {
   std::string columns;
   for (std::size_t k = 0; k < std::size(kSchedules); ++k) {
     columns +=
-        "<th>simplices</th><th>low quality</th><th>inserted</th><th>rounds</th><th>candidates</th>"
-        "<th>r/ℓ avg</th><th>CPU time, s</th>";
+        "<th>simplices</th><th>low quality</th><th>inserted</th><th>candidates</th><th>r/ℓ avg</th>"
+        "<th>CPU time, s</th>";
   }
   return table(
       "Three kinds of points, the same bound on r/ℓ",
-      "<tr><td></td><th colspan=\"7\">one by one</th><th colspan=\"7\">in blocks</th></tr>\n<tr><td></td>" +
+      "<tr><td></td><th colspan=\"6\">one by one</th><th colspan=\"6\">in blocks</th></tr>\n<tr><td></td>" +
           columns + "</tr>",
       body);
 }
