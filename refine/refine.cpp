@@ -313,18 +313,15 @@ std::size_t SurfaceMesher<Dim>::State::count_vertices(Feature::Kind kind, std::s
   return count;
 }
 
-// The vertices that were there, and the Delaunay triangulation of them, which is unique. Those that had been
-// removed leave again.
+// The vertices that were there, and the Delaunay triangulation of them, which is unique. Those that have been
+// removed become copies of the first one, which are in no simplex: others may be where they were.
 template <int Dim>
 void SurfaceMesher<Dim>::State::restore(const typename Boundary<Dim>::Snapshot& snapshot) {
   std::vector<Point<Dim>> points(snapshot.num_vertices);
-  std::vector<Vertex> removed;
   for (std::uint32_t v = 0; v < points.size(); ++v) {
-    points[v] = triangulation.point(Vertex(v));
-    if (is_removed(Vertex(v))) removed.push_back(Vertex(v));
+    points[v] = triangulation.point(is_removed(Vertex(v)) ? Vertex(0) : Vertex(v));
   }
   triangulation = Triangulation<Dim>(points);
-  for (const Vertex v : removed) triangulation.remove(v);
   domain = Domain<Dim>(triangulation);
   flow = Flow<Dim>(triangulation);
   boundary->restore(snapshot);

@@ -12,6 +12,7 @@
 #include "test/support/boundary_surfaces.h"
 #include "test/support/dimensions.h"
 #include "test/support/mesh_state.h"
+#include "test/support/surfaces.h"
 #include "tools/io/read.h"
 
 namespace sinkmesh {
@@ -78,6 +79,33 @@ TEST(Coarsener, EndsAtOnceIfABudgetIsSpent) {
   EXPECT_EQ(improvement.stop(), Stop::budget);
   EXPECT_EQ(improvement.coarsening.tried, 0U);
   EXPECT_EQ(mesher.hash(), hash);
+}
+
+// Work that a limit ends is taken back: to the vertices that were there, less those that had been taken away.
+TEST(Coarsener, WhatHasGoneDoesNotComeBackWhenWorkIsTakenBack) {
+  RefineOptions options;
+  options.boundary.mode = BoundaryMode::refine;
+  options.insert = Insert::sink;
+  options.coarsen = true;
+  const Surface3 surface = ellipsoid_surface(3, {1, 0.9, 0.15}, 1e-2);
+  SurfaceMesher3 mesher(surface);
+  ASSERT_TRUE(mesher.find_domain(options).ok());
+  ASSERT_EQ(mesher.refine(options).stop, Stop::no_candidate);
+  EXPECT_GT(mesher.improve(options).coarsening.removed, 0U);
+  std::size_t taken_back = 0;
+  for (options.max_ratio = 1.6; options.max_ratio > 1; options.max_ratio -= 0.01) {
+    const std::size_t vertices = mesher.num_vertices();
+    options.max_vertices = vertices + 7;
+    const RefineResult result = mesher.refine(options);
+    taken_back += result.stop == Stop::budget && mesher.num_vertices() < options.max_vertices ? 1 : 0;
+    EXPECT_EQ(mesher.num_vertices(), vertices + result.inserted);
+    ASSERT_TRUE(mesher.triangulation().validate().ok()) << mesher.triangulation().validate();
+    const MeshCheck<3> check = check_mesh(mesher.mesh());
+    EXPECT_TRUE(check.is_delaunay());
+    EXPECT_EQ(check.unstable_facets, 0U);
+    EXPECT_EQ(check.unused_points, 0U);
+  }
+  EXPECT_GT(taken_back, 0U);
 }
 
 template <class T>
