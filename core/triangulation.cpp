@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/bulk_search.h"
 #include "core/first_simplex.h"
@@ -127,16 +128,41 @@ Vertex Triangulation<Dim>::substitute_star(Cavity<Dim>& cavity, const Point<Dim>
 }
 
 template <int Dim>
-void Triangulation<Dim>::remove(Vertex v) {
+void Triangulation<Dim>::substitute_star(Cavity<Dim>& cavity, const Point<Dim>& x, Vertex v) {
+  SINKMESH_ASSERT(complex_.incident_simplex(v).is_null());
+  const Point<Dim> before = std::exchange(complex_.vertices()[v.slot()].point, x);
+  try {
+    linker_.substitute(complex_, cavity, v);
+  } catch (...) {
+    complex_.vertices()[v.slot()].point = before;
+    throw;
+  }
+}
+
+template <int Dim>
+void Triangulation<Dim>::require_present(Vertex v) const {
   const bool is_there = v.slot() < complex_.vertices().size() && !v.is_infinite();
   if (!is_there || complex_.incident_simplex(v).is_null()) {
     throw InputError("the vertex to remove is not in the triangulation: give one that is in a simplex");
   }
+}
+
+template <int Dim>
+const std::vector<Simplex>& Triangulation<Dim>::remove(Vertex v) {
+  require_present(v);
   if (!remover_.remove(complex_, predicates_, v)) {
     throw DegenerateInput("without vertex " + std::to_string(v.index()) +
                               " all points lie in one hyperplane: keep it, or insert others before",
                           Dim - 1);
   }
+  return remover_.created();
+}
+
+template <int Dim>
+std::span<const std::array<Vertex, Dim + 1>> Triangulation<Dim>::without(Vertex v) {
+  require_present(v);
+  if (!remover_.plan(complex_, predicates_, v)) return {};
+  return remover_.planned();
 }
 
 template <int Dim>

@@ -83,10 +83,15 @@ class Triangulation {
   /// and is in no simplex; copies of it that were in the input are not put in its place. Other handles of
   /// vertices stay valid, those of simplices outside the star as well.
   ///
+  /// @return the simplices that have taken the place of its star, ghosts included; valid until the next call.
   /// Cost: about that of inserting the vertices of its link (vertex_remover.h).
   /// @throws InputError      if v is no vertex, or in no simplex.
   /// @throws DegenerateInput if all other points lie in one hyperplane. Nothing has changed then.
-  void remove(Vertex v);
+  const std::vector<Simplex>& remove(Vertex v);
+  /// What remove() would put in the place of the star of v, as corners, ghosts included; changes nothing. Valid
+  /// until the next call of either; empty if remove() would throw DegenerateInput. Costs as much.
+  /// @throws InputError if v is no vertex, or in no simplex.
+  std::span<const std::array<Vertex, Dim + 1>> without(Vertex v);
 
   // -- the prestar of a point, for callers that want to look before they insert [EG01, 4.1]
 
@@ -103,6 +108,8 @@ class Triangulation {
   /// Replaces the prestar of x by its star. Requires that the cavity is the whole prestar, and that x is no
   /// vertex.
   Vertex substitute_star(Cavity<Dim>& cavity, const Point<Dim>& x);
+  /// The same for a vertex that is in no simplex: it comes back, at x.
+  void substitute_star(Cavity<Dim>& cavity, const Point<Dim>& x, Vertex v);
 
   /// Renumbers simplices without gaps; vertices keep their ids.
   void compact() { complex_.compact(); }
@@ -121,6 +128,7 @@ class Triangulation {
 
  private:
   void insert_all(Engine engine);
+  void require_present(Vertex v) const;
   void restore_ids(std::span<const Point<Dim>> gated, const std::vector<std::uint32_t>& order);
   Simplex some_simplex() const;
 

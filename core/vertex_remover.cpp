@@ -10,7 +10,7 @@
 namespace sinkmesh {
 
 template <int Dim>
-bool VertexRemover<Dim>::remove(Complex<Dim>& complex, const Predicates<Dim>& predicates, Vertex v) {
+bool VertexRemover<Dim>::plan(const Complex<Dim>& complex, const Predicates<Dim>& predicates, Vertex v) {
   collect_star(complex, v);
   collect_link(complex, v);
   if (!triangulate_link(complex, predicates) &&
@@ -18,7 +18,13 @@ bool VertexRemover<Dim>::remove(Complex<Dim>& complex, const Predicates<Dim>& pr
     return false;
   }
   find_prestar(predicates, complex.point(v));
-  retriangulator_.replace(complex, star_, fresh_);
+  return true;
+}
+
+template <int Dim>
+bool VertexRemover<Dim>::remove(Complex<Dim>& complex, const Predicates<Dim>& predicates, Vertex v) {
+  if (!plan(complex, predicates, v)) return false;
+  created_ = retriangulator_.replace(complex, star_, fresh_);
   complex.set_incident(v, Simplex());
   return true;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/cavity.h"
@@ -30,6 +31,12 @@ class VertexRemover {
   /// Cost: that of inserting the vertices of the link into an empty complex; n log n for n of them, if they are
   ///       not in special position.
   bool remove(Complex<Dim>& complex, const Predicates<Dim>& predicates, Vertex v);
+  /// Finds out what remove() would put in, and changes nothing. The same result, exceptions and cost.
+  bool plan(const Complex<Dim>& complex, const Predicates<Dim>& predicates, Vertex v);
+  /// The corners of the simplices that the last plan, or removal, has found, ghosts included.
+  std::span<const typename Retriangulator<Dim>::Corners> planned() const { return fresh_; }
+  /// The simplices that the last removal has put in, ghosts included.
+  const std::vector<Simplex>& created() const { return created_; }
 
  private:
   void collect_star(const Complex<Dim>& complex, Vertex v);
@@ -48,6 +55,7 @@ class VertexRemover {
   Cavity<Dim> cavity_;
   StarLinker<Dim> linker_;
   std::vector<typename Retriangulator<Dim>::Corners> fresh_;
+  std::vector<Simplex> created_;
 };
 
 extern template class VertexRemover<2>;

@@ -96,6 +96,26 @@ class Domain {
     }
   }
 
+  /// After the star of a point that no wall meets has given way to other simplices.
+  /// @param region  of the star.
+  /// @param visit   called with the outer half-facet of each wall that has a new simplex at it.
+  template <class Visit>
+  void fill(std::span<const Simplex> fresh, Region region, Visit&& visit) {
+    for (const Simplex s : fresh) {
+      set_region(s, region);
+      clear_walls(s);
+    }
+    const Complex<Dim>& complex = triangulation_->complex();
+    for (const Simplex s : fresh) {
+      for (int i = 0; i <= Dim; ++i) {
+        const HalfFacet outer = complex.mate(Complex<Dim>::half_facet(s, i));
+        if (!is_wall(outer)) continue;
+        add_wall(complex.mate(outer));
+        visit(outer);
+      }
+    }
+  }
+
   void set_region(Simplex s, Region region) {
     make_room(s);
     region_[s.index()] = region;

@@ -63,6 +63,7 @@ class MeshChecker {
     check_volumes();
     check_duplicates();
     match_facets();
+    count_angles();
     find_components();
     check_overlaps();
     std::stable_sort(check_.defects.begin(), check_.defects.end(),
@@ -199,16 +200,28 @@ class MeshChecker {
       return a.vertices != b.vertices ? a.vertices < b.vertices : a.half_facet < b.half_facet;
     });
     mate_.assign(entries.size(), kNone);
+    is_on_boundary_.assign(points_.size(), false);
     for (std::size_t first = 0, last = 0; first < entries.size(); first = last) {
       while (last < entries.size() && entries[last].vertices == entries[first].vertices) ++last;
       if (last - first == 1) {
         ++check_.boundary_facets;
+        for (const std::uint32_t v : entries[first].vertices) is_on_boundary_[v] = true;
       } else {
         ++check_.interior_facets;
         mate_[entries[first].half_facet] = entries[first + 1].half_facet;
         mate_[entries[first + 1].half_facet] = entries[first].half_facet;
         check_sides({&entries[first], last - first});
       }
+    }
+  }
+
+  void count_angles() {
+    for (std::size_t s = 0; s < num_simplices(); ++s) {
+      if (orient(corners(s)) == 0) continue;
+      const Simplex vertices = numbered(s);
+      const bool is_inner = std::any_of(vertices.begin(), vertices.end(),
+                                        [this](std::uint32_t v) { return !is_on_boundary_[v]; });
+      check_.angles.template add<Dim>(corners(s), is_inner);
     }
   }
 
@@ -384,7 +397,8 @@ class MeshChecker {
   std::vector<std::uint32_t> ids_;     // of a vertex among the points
   std::vector<Point<Dim>> points_;     // of the vertices; gated once they are known to be finite
   std::vector<bool> is_positive_;
-  std::vector<std::uint32_t> mate_;  // of half-facets, (Dim+1)*simplex + corner
+  std::vector<bool> is_on_boundary_;  // by vertex
+  std::vector<std::uint32_t> mate_;   // of half-facets, (Dim+1)*simplex + corner
   std::vector<std::uint32_t> component_;
   std::vector<sinkmesh::Simplex> star_;
   std::vector<std::uint32_t> seen_;  // of a simplex of the triangulation: the last search that met it

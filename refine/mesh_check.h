@@ -51,6 +51,8 @@ struct MeshCheck {
   std::size_t rounded_points = 0;   ///< by the input gate, before any sign was taken
   /// Of the simplices that are not flat.
   QualityStatistics quality;
+  /// Of the same. Inner vertices are those of no boundary facet.
+  AngleCensus angles;
 
   // -- the rest is known for a mesh without defects only
 

@@ -24,6 +24,10 @@ void require_valid(const RefineOptions& options) {
     throw InputError("reach is " + std::to_string(*options.reach) +
                      ": it must be at least 1, or the simplices of an off-sink are of low quality again");
   }
+  if (!(options.min_dihedral > 0 && options.min_dihedral <= 45)) {
+    throw InputError("min_dihedral is " + std::to_string(options.min_dihedral) +
+                     ": it must be above 0 and at most 45 degrees");
+  }
   if (options.literal && options.insert == Insert::off_sink) {
     throw InputError("literal rounds exist for sinks and circumcenters only");
   }

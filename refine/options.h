@@ -107,6 +107,13 @@ struct RefineOptions {
   bool literal = false;
   Fallback fallback = Fallback::none;
   BoundaryOptions boundary = {};
+  /// After refinement: take away inner Steiner points that are not needed (Coarsener); then move others until
+  /// no simplex that they are a corner of has a dihedral angle, in the plane an angle, below min_dihedral, in
+  /// degrees, or none can be mended (SliverMover).
+  bool coarsen = false;
+  bool slivers = false;
+  /// Above 0, at most 45: more than that all angles of a mesh can hardly have.
+  double min_dihedral = 15;
   /// Not used so far: every refinement runs on the thread of the caller. The mesh will not depend on it.
   unsigned threads = 1;
   /// Budgets; when one is spent the run ends with a valid mesh, or, before the surface is conformed, with none.
@@ -118,8 +125,8 @@ struct RefineOptions {
   std::function<void(const Progress&)> observer = {};
 };
 
-/// @throws InputError if max_ratio or reach is below 1 or not a number, if an option of the boundary is out of
-///         its range, or if `literal` is asked of the incremental schedule, or of off-sinks.
+/// @throws InputError if max_ratio or reach is below 1 or not a number, if min_dihedral or an option of the
+///         boundary is out of its range, or if `literal` is asked of the incremental schedule, or of off-sinks.
 void require_valid(const RefineOptions& options);
 
 /// The one that leaves few simplices on large models: with off-sinks the shortest edge first, in space within a
@@ -161,7 +168,7 @@ struct Rejections {
 enum class LeftoverReason : std::uint8_t {
   small_angle,     ///< only because the surface has a small angle there: see Leftover
   boundary_facet,  ///< has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it
-  untried,         ///< the run ended before
+  untried,         ///< the run ended before, or it came when points had been moved
   boundary,        ///< a point for it was rejected for this reason ...
   crossing,
   separation,

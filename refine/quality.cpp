@@ -3,34 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/vector.h"
+#include "refine/corner_order.h"
 
 namespace sinkmesh {
 namespace {
-
-// Puts the corners in lexicographic order: rounding then depends on the simplex alone. Which of two comes first
-// is a coin toss, so ranks are counted, without a branch; only equal coordinates need one.
-template <std::size_t N, class P>
-void sort_corners(std::array<const P*, N>& corners) {
-  std::array<std::size_t, N> rank{};
-  bool has_ties = false;
-  for (std::size_t i = 0; i < N; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const std::size_t is_first = (*corners[i])[0] < (*corners[j])[0] ? 1 : 0;
-      rank[i] += 1 - is_first;
-      rank[j] += is_first;
-      has_ties |= (*corners[i])[0] == (*corners[j])[0];
-    }
-  }
-  if (has_ties) [[unlikely]] {
-    std::sort(corners.begin(), corners.end(), [](const P* p, const P* q) { return *p < *q; });
-    return;
-  }
-  const std::array<const P*, N> unsorted = corners;
-  for (std::size_t i = 0; i < N; ++i) corners[rank[i]] = unsorted[i];
-}
 
 template <std::size_t N, class P>
 double shortest_edge2(const std::array<const P*, N>& corners) {
@@ -163,65 +141,6 @@ double flatness<3>(const Corners<3>& corners) {
   return six_volumes / (6 * longest * longest * longest);
 }
 
-namespace {
-
-// Angles are compared, and extremes kept, by the squares of their cotangents with the signs of these: what
-// falls as the angle grows, and needs neither a root nor an arc tangent. Infinite at 0 and 180 degrees.
-double signed_square(double cosine, double sine2) {
-  const double square = cosine * std::abs(cosine) / sine2;
-  return std::isnan(square) ? HUGE_VAL : square;  // no area that doubles can see: no angle
-}
-
-double degrees_of(double cotangent2) {
-  const double cotangent = std::copysign(std::sqrt(std::abs(cotangent2)), cotangent2);
-  return std::atan2(1.0, cotangent) * (180 / std::numbers::pi);
-}
-
-// The facets opposite i and j have normals N_i, N_j with N_i x N_j = D times the edge that they share, up to
-// sign: the sine comes without cancellation.
-void include_angles(const Corners<3>& corners, Cotangents& cotangents) {
-  const Point3 u = *corners[1] - *corners[0];
-  const Point3 v = *corners[2] - *corners[0];
-  const Point3 w = *corners[3] - *corners[0];
-  std::array<Point3, 4> normal = {Point3{}, cross(v, w), cross(w, u), cross(u, v)};
-  normal[0] = cross(*corners[3] - *corners[1], *corners[2] - *corners[1]);
-  const double d = dot(u, normal[1]);
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      std::size_t k = 0;
-      while (k == i || k == j) ++k;
-      const std::size_t l = 6 - i - j - k;
-      cotangents.include(
-          signed_square(-dot(normal[i], normal[j]), d * d * squared_distance(*corners[k], *corners[l])));
-    }
-  }
-}
-
-void include_angles(const Corners<2>& corners, Cotangents& cotangents) {
-  const Point2 u = *corners[1] - *corners[0];
-  const Point2 v = *corners[2] - *corners[0];
-  const Point2 w = v - u;
-  const double area = cross(u, v);
-  cotangents.include(signed_square(dot(u, v), area * area));
-  cotangents.include(signed_square(-dot(u, w), area * area));
-  cotangents.include(signed_square(dot(v, w), area * area));
-}
-
-}  // namespace
-
-double Cotangents::smallest_angle() const { return degrees_of(largest); }
-double Cotangents::largest_angle() const { return degrees_of(smallest); }
-
-template <int Dim>
-Angles angles(const Corners<Dim>& corners) {
-  Cotangents cotangents;
-  include_angles(corners, cotangents);
-  return {cotangents.smallest_angle(), cotangents.largest_angle()};
-}
-
-template Angles angles<2>(const Corners<2>&);
-template Angles angles<3>(const Corners<3>&);
-
 template <int Dim>
 void QualityStatistics::add(const Corners<Dim>& corners) {
   const double ratio2 = shape<Dim>(corners).ratio2();
@@ -231,7 +150,7 @@ void QualityStatistics::add(const Corners<Dim>& corners) {
   min2_ = std::min(min2_, ratio2);
   max2_ = std::max(max2_, ratio2);
   sum_ += ratio;
-  include_angles(corners, cotangents_);
+  for (const double c : cotangents2<Dim>(corners)) cotangents_.include(c);
   std::size_t bin = 0;
   while (bin + 1 < kBins.size() && ratio > kBins[bin]) ++bin;
   ++histogram_[bin];

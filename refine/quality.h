@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "predicates/point.h"
+#include "refine/angles.h"
 
 namespace sinkmesh {
 
@@ -39,28 +40,6 @@ double facet_area2(FacetCorners<Dim> corners);
 /// see.
 template <int Dim>
 Point<Dim> facet_center(FacetCorners<Dim> corners);
-
-/// The smallest and the largest dihedral angle of a tetrahedron, angle of a triangle; in degrees.
-struct Angles {
-  double min;
-  double max;
-};
-template <int Dim>
-Angles angles(const Corners<Dim>& corners);
-
-/// The extremes of many angles, as squares of cotangents with their signs.
-struct Cotangents {
-  double largest = -HUGE_VAL;
-  double smallest = HUGE_VAL;
-
-  void include(double signed_square) {
-    largest = std::max(largest, signed_square);
-    smallest = std::min(smallest, signed_square);
-  }
-  /// In degrees.
-  double smallest_angle() const;
-  double largest_angle() const;
-};
 
 /// Volume divided by the longest edge to the power of Dim; rounded.
 template <int Dim>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -11,17 +12,22 @@
 #include "core/vector.h"
 #include "refine/boundary.h"
 #include "refine/budget.h"
+#include "refine/coarsener.h"
 #include "refine/conformer.h"
 #include "refine/facet_index.h"
+#include "refine/interior_editor.h"
 #include "refine/parents.h"
 #include "refine/patches.h"
 #include "refine/refiner.h"
 #include "refine/self_intersections.h"
+#include "refine/sliver_mover.h"
 #include "refine/surface_check.h"
 #include "refine/used_points.h"
 
 namespace sinkmesh {
 namespace {
+
+constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
 
 template <int Dim>
 std::array<std::uint32_t, Dim + 1> corner_ids(const Complex<Dim>& complex, Simplex s) {
@@ -71,6 +77,15 @@ struct SurfaceMesher<Dim>::State {
   void restore(const typename Boundary<Dim>::Snapshot& snapshot);
   std::size_t count_vertices(Feature::Kind kind, std::size_t first) const;
   bool is_stable();
+  Refiner<Dim> make_refiner(const RefineOptions& options) {
+    if (!conformer) return {triangulation, domain, flow, options};
+    return {triangulation, domain, flow, *boundary, *conformer, rules, options};
+  }
+  std::uint64_t place_of(const Leftover<Dim>& leftover) const;
+  void update_leftovers(const std::map<std::uint64_t, Leftover<Dim>>& before, const RefineOptions& options);
+  bool is_removed(Vertex v) const {
+    return v.index() >= used.points.size() && triangulation.complex().incident_simplex(v).is_null();
+  }
   std::vector<std::int64_t> parents_of(std::span<const HalfFacet> walls) const;
 
   std::vector<std::int64_t> facet_tags;
@@ -87,6 +102,7 @@ struct SurfaceMesher<Dim>::State {
   bool projects = true;  // see Conformer
   bool is_stable_as_given = false;
   std::vector<Leftover<Dim>> leftovers;
+  std::vector<Sliver<Dim>> slivers;
 };
 
 template <int Dim>
@@ -225,24 +241,14 @@ BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
 template <int Dim>
 RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
   State& state = *state_;
-  if (!state.conformer) {
-    Refiner<Dim> refiner(state.triangulation, state.domain, state.flow, options);
-    const RefineResult result = refiner.run();
-    state.leftovers = refiner.leftovers();
-    return result;
-  }
   const std::size_t before = state.triangulation.complex().num_vertices();
-  const auto make_refiner = [&] {
-    return Refiner<Dim>(state.triangulation, state.domain, state.flow, *state.boundary, *state.conformer,
-                        state.rules, options);
-  };
-  Refiner<Dim> refiner = make_refiner();
+  Refiner<Dim> refiner = state.make_refiner(options);
   RefineResult result = refiner.run();
   state.leftovers = refiner.leftovers();
   if (refiner.last_valid() == nullptr) return result;
   state.restore(*refiner.last_valid());
   if (!refiner.knows_leftovers()) {
-    Refiner<Dim> restored = make_refiner();
+    Refiner<Dim> restored = state.make_refiner(options);
     const RefineResult seen = restored.look();
     result.remaining = seen.remaining;
     result.centers_beyond = seen.centers_beyond;
@@ -251,6 +257,52 @@ RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
   result.inserted = state.triangulation.complex().num_vertices() - before;
   result.points_on_segments = state.count_vertices(Feature::Kind::segment, before);
   result.points_on_patches = state.count_vertices(Feature::Kind::patch, before);
+  return result;
+}
+
+template <int Dim>
+std::uint64_t SurfaceMesher<Dim>::State::place_of(const Leftover<Dim>& leftover) const {
+  Corners<Dim> corners;
+  for (std::size_t i = 0; i <= Dim; ++i)
+    corners[i] = &triangulation.complex().point(Vertex(leftover.corners[i]));
+  return hash_points<Dim>(corners);
+}
+
+// After vertices have moved: what is of low quality still keeps its reason.
+template <int Dim>
+void SurfaceMesher<Dim>::State::update_leftovers(const std::map<std::uint64_t, Leftover<Dim>>& before,
+                                                 const RefineOptions& options) {
+  Refiner<Dim> refiner = make_refiner(options);
+  refiner.find_leftovers();
+  leftovers = refiner.leftovers();
+  for (Leftover<Dim>& leftover : leftovers) {
+    const auto same = before.find(place_of(leftover));
+    if (same != before.end()) leftover = same->second;
+  }
+}
+
+template <int Dim>
+Improvement SurfaceMesher<Dim>::improve(const RefineOptions& options) {
+  require_valid(options);
+  State& state = *state_;
+  Improvement result;
+  std::map<std::uint64_t, Leftover<Dim>> before;
+  for (const Leftover<Dim>& leftover : state.leftovers) before.emplace(state.place_of(leftover), leftover);
+  const auto num_given = static_cast<std::uint32_t>(state.used.points.size());
+  InteriorEditor<Dim> editor(state.triangulation, state.domain, state.flow,
+                             state.boundary ? &*state.boundary : nullptr, num_given);
+  if (options.coarsen) {
+    Coarsener<Dim> coarsener(editor, options, num_vertices());
+    result.coarsening = coarsener.run();
+  }
+  state.slivers.clear();
+  if (options.slivers && result.coarsening.stop == Stop::no_candidate) {
+    SliverMover<Dim> mover(editor, options, num_vertices());
+    result.moving = mover.run();
+    state.slivers = mover.slivers();
+  }
+  state.update_leftovers(before, options);
+  for (const Leftover<Dim>& leftover : state.leftovers) ++result.remaining.count(leftover.reason);
   return result;
 }
 
@@ -264,11 +316,14 @@ std::size_t SurfaceMesher<Dim>::State::count_vertices(Feature::Kind kind, std::s
   return count;
 }
 
-// The vertices that were there, and the Delaunay triangulation of them, which is unique.
+// The vertices that were there, and the Delaunay triangulation of them, which is unique. Those that have been
+// removed become copies of the first one, which are in no simplex: others may be where they were.
 template <int Dim>
 void SurfaceMesher<Dim>::State::restore(const typename Boundary<Dim>::Snapshot& snapshot) {
   std::vector<Point<Dim>> points(snapshot.num_vertices);
-  for (std::uint32_t v = 0; v < points.size(); ++v) points[v] = triangulation.point(Vertex(v));
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    points[v] = triangulation.point(is_removed(Vertex(v)) ? Vertex(0) : Vertex(v));
+  }
   triangulation = Triangulation<Dim>(points);
   domain = Domain<Dim>(triangulation);
   flow = Flow<Dim>(triangulation);
@@ -315,12 +370,37 @@ void SurfaceMesher<Dim>::State::require_no_crossing() const {
 
 template <int Dim>
 std::vector<Leftover<Dim>> SurfaceMesher<Dim>::leftovers() const {
-  return state_->leftovers;
+  const std::vector<std::uint32_t> ids = mesh_ids();
+  std::vector<Leftover<Dim>> result = state_->leftovers;
+  for (Leftover<Dim>& leftover : result) {
+    for (std::uint32_t& v : leftover.corners) v = ids[v];
+  }
+  return result;
+}
+
+template <int Dim>
+std::vector<Sliver<Dim>> SurfaceMesher<Dim>::slivers() const {
+  const std::vector<std::uint32_t> ids = mesh_ids();
+  std::vector<Sliver<Dim>> result = state_->slivers;
+  for (Sliver<Dim>& sliver : result) {
+    for (std::uint32_t& v : sliver.corners) v = ids[v];
+  }
+  return result;
 }
 
 template <int Dim>
 std::size_t SurfaceMesher<Dim>::num_unused_points() const {
   return state_->unused_points;
+}
+
+// Ids of the complex to ids of the mesh, which has no removed vertices. Points of the surface are never
+// removed.
+template <int Dim>
+std::vector<std::uint32_t> SurfaceMesher<Dim>::mesh_ids() const {
+  std::vector<std::uint32_t> ids(state_->triangulation.complex().num_vertices());
+  std::uint32_t next = 0;
+  for (std::uint32_t v = 0; v < ids.size(); ++v) ids[v] = state_->is_removed(Vertex(v)) ? kNoPoint : next++;
+  return ids;
 }
 
 template <int Dim>
@@ -330,6 +410,23 @@ QualityStatistics SurfaceMesher<Dim>::statistics(double max_ratio) const {
     statistics.add<Dim>(state_->triangulation.complex().corners(s));
   }
   return statistics;
+}
+
+template <int Dim>
+AngleCensus SurfaceMesher<Dim>::angle_census() const {
+  const Complex<Dim>& complex = state_->triangulation.complex();
+  std::vector<bool> is_on_boundary(complex.num_vertices(), false);
+  for (const HalfFacet h : state_->domain.boundary()) {
+    for (const std::uint32_t v : facet_ids<Dim>(complex, h)) is_on_boundary[v] = true;
+  }
+  AngleCensus census;
+  for (const Simplex s : state_->domain.simplices()) {
+    const auto ids = corner_ids<Dim>(complex, s);
+    const bool is_inner =
+        std::any_of(ids.begin(), ids.end(), [&](std::uint32_t v) { return !is_on_boundary[v]; });
+    census.add<Dim>(complex.corners(s), is_inner);
+  }
+  return census;
 }
 
 template <int Dim>
@@ -355,14 +452,17 @@ std::uint64_t SurfaceMesher<Dim>::hash() const {
 template <int Dim>
 Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
   const Complex<Dim>& complex = state_->triangulation.complex();
+  const std::vector<std::uint32_t> id = mesh_ids();
   Mesh<Dim> mesh;
-  mesh.points.reserve(complex.num_vertices());
-  for (std::uint32_t v = 0; v < complex.num_vertices(); ++v) {
-    mesh.points.push_back(state_->triangulation.point(Vertex(v)));
+  mesh.points.reserve(id.size());
+  for (std::uint32_t v = 0; v < id.size(); ++v) {
+    if (id[v] != kNoPoint) mesh.points.push_back(state_->triangulation.point(Vertex(v)));
   }
   typename Mesh<Dim>::Field region{"region", {}};
   for (const Simplex s : state_->domain.simplices()) {
-    mesh.simplices.push_back(corner_ids<Dim>(complex, s));
+    auto simplex = corner_ids<Dim>(complex, s);
+    for (std::uint32_t& v : simplex) v = id[v];
+    mesh.simplices.push_back(simplex);
     region.values.push_back(state_->domain.region(s));
   }
   mesh.simplex_fields.push_back(std::move(region));
@@ -375,7 +475,11 @@ Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
   }
 
   const std::vector<HalfFacet> walls = state_->domain.boundary();
-  for (const HalfFacet h : walls) mesh.boundary.push_back(facet_ids<Dim>(complex, h));
+  for (const HalfFacet h : walls) {
+    auto facet = facet_ids<Dim>(complex, h);
+    for (std::uint32_t& v : facet) v = id[v];
+    mesh.boundary.push_back(facet);
+  }
   typename Mesh<Dim>::Field parent{"parent", state_->parents_of(walls)};
   mesh.boundary_fields.push_back(std::move(parent));
   if (!state_->facet_tags.empty()) {
@@ -428,7 +532,8 @@ Mesh<Dim> refine(const Surface<Dim>& surface, const RefineOptions& options) {
   SurfaceMesher<Dim> mesher(surface);
   const BoundaryResult boundary = mesher.find_domain(options);
   if (!boundary.ok()) throw InputError(not_conformed(boundary));
-  mesher.refine(options);
+  const RefineResult refined = mesher.refine(options);
+  if (refined.stop != Stop::budget && refined.stop != Stop::cancelled) mesher.improve(options);
   return mesher.mesh();
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/triangulation.h"
 #include "refine/domain.h"
+#include "refine/improvement.h"
 #include "refine/mesh.h"
 #include "refine/options.h"
 #include "refine/surface.h"
@@ -39,8 +40,17 @@ class SurfaceMesher {
   /// inserted; see Refiner. Can be called again, with other options.
   RefineResult refine(const RefineOptions& options);
 
-  /// After refine(): each simplex of low quality that remains, the worst ratio first. Linear.
+  /// After refine(): takes points away and moves others, as far as the options ask for it; obeys the budgets.
+  /// Makes no simplex of low quality, keeps the boundary and all vertices on it, the Delaunay property,
+  /// stability, and the shortest edge. Can be called again.
+  /// @throws InputError as refine() does.
+  Improvement improve(const RefineOptions& options);
+
+  /// After refine(), or improve(): each simplex of low quality that remains, the worst ratio first. Linear.
   std::vector<Leftover<Dim>> leftovers() const;
+  /// After improve() with options.slivers: each simplex with an angle below options.min_dihedral, the smallest
+  /// first. Linear.
+  std::vector<Sliver<Dim>> slivers() const;
 
   /// Points of the surface that belong to no facet: they are left out, for a loose vertex inside of
   /// circumspheres would contradict that the mesh is Delaunay.
@@ -48,6 +58,7 @@ class SurfaceMesher {
 
   /// Of the domain as it is now. Linear.
   QualityStatistics statistics(double max_ratio) const;
+  AngleCensus angle_census() const;
   /// Vertices of the domain as it is now.
   std::size_t num_vertices() const;
   /// Of the simplices of the domain, by their coordinates in the units of the input: equal for equal meshes,
@@ -65,6 +76,8 @@ class SurfaceMesher {
   std::size_t bytes() const;
 
  private:
+  std::vector<std::uint32_t> mesh_ids() const;
+
   struct State;
   std::unique_ptr<State> state_;
 };
@@ -75,7 +88,7 @@ using SurfaceMesher3 = SurfaceMesher<3>;
 template <int Dim>
 Mesh<Dim> hull_mesh(const Triangulation<Dim>& triangulation);
 
-/// All of it: checks the surface, finds the domain, refines, and returns the mesh.
+/// All of it: checks the surface, finds the domain, refines, improves, and returns the mesh.
 /// @throws InputError with the first defect of the surface; see also SurfaceMesher.
 template <int Dim>
 Mesh<Dim> refine(const Surface<Dim>& surface, const RefineOptions& options = {});

@@ -80,10 +80,32 @@ RefineResult Refiner<Dim>::run() {
 
 template <int Dim>
 RefineResult Refiner<Dim>::look() {
-  inserter_.measure_all();
-  classify_remaining(false);
+  find_leftovers();
   result_.centers_beyond = count_centers_beyond();
   return result_;
+}
+
+template <int Dim>
+void Refiner<Dim>::find_leftovers() {
+  inserter_.measure_all();
+  if (conformer_ == nullptr) test_points();
+  classify_remaining(conformer_ == nullptr);
+  if (conformer_ != nullptr) conformer_->on_removal = nullptr;
+}
+
+// Finds out which points are refused, and inserts none.
+template <int Dim>
+void Refiner<Dim>::test_points() {
+  std::vector<Vertex> closure;
+  for (const Simplex s : inserter_.low_quality()) {
+    visit_owners(s, [&](Simplex owner) {
+      Candidate<Dim> candidate;
+      if (!inserter_.is_rejected(owner) && make_candidate(owner, false, candidate)) {
+        inserter_.test(candidate, closure);
+      }
+      return false;
+    });
+  }
 }
 
 template <int Dim>

@@ -41,6 +41,9 @@ class Refiner {
   RefineResult run();
   /// Instead of run(): `remaining` and `centers_beyond` if nothing is done.
   RefineResult look();
+  /// Instead of run(): leftovers() if nothing is done. Within a fixed boundary points are tested, so that the
+  /// reasons are known.
+  void find_leftovers();
   /// After run(): null if the mesh is what was asked for. Else a budget, the cancel flag or the floor has ended
   /// it in the middle of what a point on the boundary set off, or a state before was better; this is a valid
   /// state shortly before, or that one: rebuild it, and, unless this Refiner knows, ask a new one what remains.
@@ -61,6 +64,7 @@ class Refiner {
 
   void run_incremental(bool divides_boundary);
   void run_rounds();
+  void test_points();
   void refine_boundary();
   void divide_boundary(std::size_t enough);
   bool is_complete();

@@ -40,7 +40,7 @@ SteinerInserter<Dim>::SteinerInserter(Triangulation<Dim>& triangulation, Domain<
   for (const Simplex s : complex().simplices()) {
     if (!complex().is_ghost(s)) shortest2 = std::min(shortest2, shape<Dim>(complex().corners(s)).shortest2);
   }
-  separation2_ = shortest2 * kDown;
+  separation2_ = shortest2 * kSurely;
   if (separation2_ < kResolution2) {
     char distance[32];
     std::snprintf(distance, sizeof distance, "%.2g", std::sqrt(shortest2) / 2);

@@ -19,6 +19,7 @@
 #include "refine/flow.h"
 #include "refine/off_sink.h"
 #include "refine/options.h"
+#include "refine/point_guide.h"
 #include "refine/quality.h"
 
 namespace sinkmesh {
@@ -39,9 +40,6 @@ struct Candidate {
   double least2 = 0;      ///< the least squared distance from all vertices, where delta is not enough
   std::uint64_t tie = 0;  ///< orders candidates of equal priority; a function of the geometry
 };
-
-/// What became of a candidate.
-enum class Verdict : std::uint8_t { inserted, boundary, crossing, separation, dependent };
 
 /// How the angles of a surface excuse short edges [BR, 6].
 template <int Dim>
@@ -218,16 +216,11 @@ class SteinerInserter {
   const Rejections& rejections() const { return rejections_; }
 
  private:
-  // A sum of Dim squares of rounded differences has a relative error below (Dim+2) 2^-53.
-  static constexpr double kDown = 1 - 0x1p-50;
   // Bits of a note: low quality, excused, hopeless, and three for the verdict on the point.
   static constexpr std::uint8_t kLow = 1;
   static constexpr std::uint8_t kExcused = 2;
   static constexpr std::uint8_t kHopeless = 4;
   static constexpr int kVerdictShift = 3;
-
-  template <class IsTaken>
-  class Guide;
 
   template <class IsTaken>
   Verdict grow(const Candidate<Dim>& candidate, Simplex start, IsTaken&& is_taken);
@@ -265,70 +258,12 @@ class SteinerInserter {
   Rejections rejections_;
 };
 
-/// Watches a search for a prestar: boundary, separation, and vertices that another point has taken.
-template <int Dim>
-template <class IsTaken>
-class SteinerInserter<Dim>::Guide {
- public:
-  Guide(const SteinerInserter& inserter, const Candidate<Dim>& candidate, IsTaken& is_taken)
-      : inserter_(&inserter),
-        x_(&candidate.point),
-        least2_(std::max(inserter.separation2_, candidate.least2)),
-        is_taken_(&is_taken) {}
-
-  Verdict verdict() const { return crossed_ && verdict_ == Verdict::inserted ? Verdict::crossing : verdict_; }
-
-  /// All corners of the first simplex.
-  bool start(Simplex s) {
-    for (int i = 0; i <= Dim; ++i) {
-      if (!meet(inserter_->complex().corner(s, i))) return false;
-    }
-    return true;
-  }
-  bool enter(HalfFacet entry) { return meet(inserter_->complex().apex(entry)); }
-
-  Passage cross(HalfFacet inner, HalfFacet outer) {
-    if (!inserter_->domain_->is_wall(inner)) [[likely]] {
-      return Passage::pass;
-    }
-    const Complex<Dim>& complex = inserter_->complex();
-    const Predicates<Dim>& predicates = inserter_->triangulation_->predicates();
-    if (predicates.diametral_side(complex.facet_corners(inner), *x_) <= 0) {
-      verdict_ = Verdict::boundary;
-      return Passage::stop;
-    }
-    // Goes on after a crossing: a boundary facet met later may hold x in its diametral sphere, which is the
-    // reason that is reported, whatever the order of the search.
-    crossed_ = crossed_ || in_conflict(complex, predicates, Complex<Dim>::simplex_of(outer), *x_);
-    return Passage::wall;
-  }
-
- private:
-  bool meet(Vertex v) {
-    if ((*is_taken_)(v)) {
-      verdict_ = Verdict::dependent;
-      return false;
-    }
-    if (!(squared_distance(*x_, inserter_->complex().point(v)) * kDown >= least2_)) {
-      verdict_ = Verdict::separation;
-      return false;
-    }
-    return true;
-  }
-
-  const SteinerInserter* inserter_;
-  const Point<Dim>* x_;
-  double least2_;
-  IsTaken* is_taken_;
-  Verdict verdict_ = Verdict::inserted;
-  bool crossed_ = false;
-};
-
 // Leaves the complex marked if the verdict is `inserted`, else as it was.
 template <int Dim>
 template <class IsTaken>
 Verdict SteinerInserter<Dim>::grow(const Candidate<Dim>& candidate, Simplex start, IsTaken&& is_taken) {
-  Guide<std::remove_reference_t<IsTaken>> guide(*this, candidate, is_taken);
+  PointGuide<Dim, std::remove_reference_t<IsTaken>> guide(*triangulation_, *domain_, candidate.point,
+                                                          std::max(separation2_, candidate.least2), is_taken);
   if (!guide.start(start)) return guide.verdict();
   ++num_prestars_;
   triangulation_->announce(candidate.point);

@@ -204,6 +204,54 @@ TYPED_TEST(Removal, OfTheTipOfAPyramidUsesAVertexBelow) {
   }
 }
 
+// The simplices of a set, whatever their order and that of their corners.
+template <int Dim, class Simplices, class CornersOf>
+std::vector<std::array<Vertex, Dim + 1>> sorted_simplices(const Simplices& simplices, CornersOf&& corners_of) {
+  std::vector<std::array<Vertex, Dim + 1>> result;
+  for (const auto& s : simplices) {
+    result.push_back(corners_of(s));
+    std::sort(result.back().begin(), result.back().end());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TYPED_TEST(Removal, IsForeseenAndTakenBackUnderTheSameId) {
+  constexpr int Dim = TypeParam::value;
+  using Corners = std::array<Vertex, Dim + 1>;
+  Random random(6);
+  for (const Shape shape : kShapes) {
+    SCOPED_TRACE(testing::Message() << "shape " << static_cast<int>(shape));
+    Triangulation<Dim> triangulation(make_shape<Dim>(shape, 100, random));
+    const auto& complex = triangulation.complex();
+    const std::uint64_t whole = triangulation.hash();
+    const std::size_t num_vertices = complex.num_vertices();
+    for (std::uint32_t i = 0; i < num_vertices; ++i) {
+      if (!is_in(triangulation, Vertex(i))) continue;
+      const auto foreseen =
+          sorted_simplices<Dim>(triangulation.without(Vertex(i)), [](const Corners& s) { return s; });
+      ASSERT_EQ(triangulation.hash(), whole);
+      if (foreseen.empty()) {
+        ASSERT_THROW(triangulation.remove(Vertex(i)), DegenerateInput);
+        continue;
+      }
+      const auto found = sorted_simplices<Dim>(triangulation.remove(Vertex(i)), [&](Simplex s) {
+        Corners corners;
+        for (int k = 0; k <= Dim; ++k) corners[static_cast<std::size_t>(k)] = complex.corner(s, k);
+        return corners;
+      });
+      ASSERT_EQ(found, foreseen);
+      const Point<Dim> x = complex.point(Vertex(i));
+      Cavity<Dim> cavity;
+      triangulation.grow_prestar(cavity, x, triangulation.locate(x).simplex);
+      triangulation.substitute_star(cavity, x, Vertex(i));
+      ASSERT_EQ(triangulation.hash(), whole);
+      ASSERT_EQ(complex.num_vertices(), num_vertices);
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_valid(triangulation));
+  }
+}
+
 TYPED_TEST(Removal, OfWhatIsNotThereIsRefused) {
   constexpr int Dim = TypeParam::value;
   std::vector<Point<Dim>> points(Dim + 3);
@@ -214,6 +262,7 @@ TYPED_TEST(Removal, OfWhatIsNotThereIsRefused) {
   EXPECT_THROW(triangulation.remove(Vertex(Dim + 2)), InputError);  // a copy
   EXPECT_THROW(triangulation.remove(Vertex(Dim + 3)), InputError);
   EXPECT_THROW(triangulation.remove(Vertex()), InputError);
+  EXPECT_THROW(triangulation.without(Vertex(Dim + 3)), InputError);
   EXPECT_THROW(triangulation.remove(Vertex::infinite()), InputError);
   triangulation.remove(Vertex(Dim + 1));
   EXPECT_THROW(triangulation.remove(Vertex(Dim + 1)), InputError);

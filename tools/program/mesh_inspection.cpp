@@ -66,7 +66,7 @@ void inspect_mesh(const Mesh<Dim>& mesh, double max_ratio, Inspection& inspectio
                                count(check.components, "part", "parts")));
   describe_validity(check, summary);
   if (check.ok()) describe_delaunay(check, summary);
-  add_quality(summary, {{"", check.vertices, &check.quality}}, Dim, max_ratio);
+  add_quality(summary, {{"", check.vertices, &check.quality, &check.angles}}, Dim, max_ratio);
   add_histogram(summary, check.quality);
 
   Json& report = inspection.report;
@@ -95,6 +95,7 @@ void inspect_mesh(const Mesh<Dim>& mesh, double max_ratio, Inspection& inspectio
   }
   report["quality"] = to_json(Dim, check.vertices, check.quality);
   report["quality"]["histogram"] = histogram(check.quality);
+  report["quality"]["angles"] = to_json(check.angles);
 }
 
 template void inspect_mesh(const Mesh<2>&, double, Inspection&);

@@ -12,6 +12,7 @@
 #include "tools/program/boundary_account.h"
 #include "tools/program/cancel.h"
 #include "tools/program/history.h"
+#include "tools/program/improvement_account.h"
 #include "tools/program/options.h"
 #include "tools/program/progress.h"
 #include "tools/program/report.h"
@@ -70,6 +71,7 @@ class RefineRun {
         ratio_(ratio_asked(arguments, Dim)),
         progress_(!arguments.quiet),
         initial_(ratio_),
+        refined_(ratio_),
         final_(ratio_) {}
 
   ExitStatus run() {
@@ -94,14 +96,14 @@ class RefineRun {
     boundary_ = find_domain(mesher, options);
     lap("domain");
     if (!boundary_.ok()) return end_without_mesh(surface, mesher);
-    initial_ = mesher.statistics(ratio_);
-    initial_vertices_ = mesher.num_vertices();
-    if (!arguments_.history.empty()) history.emplace(initial_vertices_, initial_);
+    initial_.take(mesher);
+    if (!arguments_.history.empty()) history.emplace(initial_.vertices, initial_.quality);
     watch_.lap();
     progress_.phase("refining");
     result_ = mesher.refine(options);
     lap("refine");
-    final_ = mesher.statistics(ratio_);
+    if (improves()) improve(mesher, options);
+    final_.take(mesher);
     watch_.lap();
 
     progress_.phase("writing");
@@ -126,6 +128,42 @@ class RefineRun {
   }
 
  private:
+  // The mesh at one stage of the run.
+  struct Stage {
+    explicit Stage(double bound) : max_ratio(bound), quality(bound) {}
+
+    void take(const SurfaceMesher<Dim>& mesher) {
+      vertices = mesher.num_vertices();
+      quality = mesher.statistics(max_ratio);
+      angles = mesher.angle_census();
+    }
+
+    double max_ratio;
+    std::size_t vertices = 0;
+    QualityStatistics quality;
+    AngleCensus angles;
+  };
+  static Json json_of(const Stage& stage) {
+    Json json = to_json(Dim, stage.vertices, stage.quality);
+    json["angles"] = to_json(stage.angles);
+    return json;
+  }
+
+  bool improves() const {
+    const bool is_asked = arguments_.slivers || arguments_.coarsen;
+    return is_asked && result_.stop != Stop::budget && result_.stop != Stop::cancelled;
+  }
+
+  void improve(SurfaceMesher<Dim>& mesher, const RefineOptions& options) {
+    refined_.take(mesher);
+    watch_.lap();
+    progress_.phase("moving points");
+    improvement_ = mesher.improve(options);
+    lap("improve");
+    result_.remaining = improvement_->remaining;
+    if (improvement_->stop() != Stop::no_candidate) result_.stop = improvement_->stop();
+  }
+
   void lap(const char* phase) { phases_.emplace_back(phase, watch_.lap()); }
 
   BoundaryResult find_domain(SurfaceMesher<Dim>& mesher, const RefineOptions& options) const {
@@ -159,6 +197,9 @@ class RefineRun {
     options.schedule = schedule_named(arguments_.schedule);
     options.literal = arguments_.literal;
     options.fallback = fallback_named(arguments_.fallback);
+    options.coarsen = arguments_.coarsen;
+    options.slivers = arguments_.slivers;
+    options.min_dihedral = arguments_.min_dihedral.value_or(options.min_dihedral);
     options.boundary = {boundary_named(arguments_.boundary), arguments_.small_angle, arguments_.flat};
     options.threads = arguments_.threads;
     if (arguments_.max_vertices) options.max_vertices = *arguments_.max_vertices;
@@ -214,14 +255,22 @@ class RefineRun {
         {"small_angle", arguments_.small_angle.value_or(Dim == 2 ? BoundaryOptions::kSmallAngle2
                                                                  : BoundaryOptions::kSmallAngle3)},
         {"flat", arguments_.flat},
+        {"coarsen", arguments_.coarsen},
+        {"slivers", arguments_.slivers},
+        {"min_dihedral", arguments_.min_dihedral.value_or(RefineOptions().min_dihedral)},
         {"threads", arguments_.threads},
         {"max_vertices", limit(arguments_.max_vertices)},
         {"time_limit", limit(arguments_.time_limit)}};
     report["peeled"] = {{"simplices", boundary_.peeled_simplices}, {"facets", boundary_.peeled_facets}};
     report["boundary"] = to_json(boundary_, result_);
-    report["initial"] = has_mesh ? to_json(Dim, initial_vertices_, initial_) : Json();
-    report["final"] = has_mesh ? to_json(Dim, mesher.num_vertices(), final_) : Json();
-    if (has_mesh) report["final"]["histogram"] = histogram(final_);
+    report["initial"] = has_mesh ? json_of(initial_) : Json();
+    if (improvement_) {
+      report["refined"] = json_of(refined_);
+      report["coarsening"] = to_json(improvement_->coarsening);
+      report["slivers"] = to_json(improvement_->moving, mesher.slivers());
+    }
+    report["final"] = has_mesh ? json_of(final_) : Json();
+    if (has_mesh) report["final"]["histogram"] = histogram(final_.quality);
     report["rounds"] = result_.rounds;
     report["candidates"] = result_.candidates;
     report["prestars"] = result_.prestars;
@@ -278,12 +327,15 @@ class RefineRun {
     }
     add_boundary(summary, boundary_, result_, boundary_named(arguments_.boundary), surface.facets.size(), Dim);
     const std::string regions = boundary_.regions > 1 ? fmt::format(", in {} regions", boundary_.regions) : "";
-    summary.line("domain", fmt::format("{} inside{}", simplices(initial_.simplices(), Dim), regions));
-    add_quality(summary, {{"before", initial_vertices_, &initial_}, {"after", mesher.num_vertices(), &final_}},
-                Dim, ratio_);
+    summary.line("domain", fmt::format("{} inside{}", simplices(initial_.quality.simplices(), Dim), regions));
+    std::vector<QualityColumn> columns = {column("before", initial_), column("after", final_)};
+    if (improvement_) columns.insert(columns.begin() + 1, column("refined", refined_));
+    add_quality(summary, columns, Dim, ratio_);
     summary.line("inserted", fmt::format("{} in {}, of {}", count(result_.inserted, "point", "points"),
                                          count(result_.rounds, "round", "rounds"),
                                          count(result_.candidates, "candidate", "candidates")));
+    if (improvement_)
+      add_improvement(summary, *improvement_, arguments_.coarsen, arguments_.slivers, mesher.slivers());
     add_remaining(summary, result_.remaining, ratio_);
     if (result_.stop != Stop::no_candidate) summary.line("stopped", stopped_early());
     add_times(summary, phases_, total_);
@@ -292,17 +344,22 @@ class RefineRun {
     return summary.text();
   }
 
+  static QualityColumn column(std::string_view heading, const Stage& stage) {
+    return {heading, stage.vertices, &stage.quality, &stage.angles};
+  }
+
   const RefineArguments& arguments_;
   double ratio_;
   SourceLines lines_;
   Stopwatch watch_;
   ProgressLine progress_;
   Phases phases_;
-  std::size_t initial_vertices_ = 0;
-  QualityStatistics initial_;
-  QualityStatistics final_;
+  Stage initial_;
+  Stage refined_;  // if there was something to improve
+  Stage final_;
   BoundaryResult boundary_;
   RefineResult result_;
+  std::optional<Improvement> improvement_;
   double total_ = 0;
 };
 
@@ -378,6 +435,20 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
       ->check(below(1, "of which it is a fraction"))
       ->type_name("FRACTION")
       ->capture_default_str();
+  command->add_flag("--coarsen", arguments.coarsen,
+                    "After refining, take inner points away again where that leaves nothing bad");
+  command->add_flag(
+      "--slivers", arguments.slivers,
+      "After refining, move inner points until angles are large enough; the mesh stays Delaunay, the "
+      "boundary as it is, and r/l within its bound");
+  command
+      ->add_option(
+          "--min-dihedral", arguments.min_dihedral,
+          "With --slivers or --coarsen: the smallest dihedral angle (in the plane: angle) that is good enough")
+      ->check(above(0))
+      ->check(at_most(45, "more than all angles of a mesh can have"))
+      ->type_name("DEGREES")
+      ->default_str("15");
   command
       ->add_option("--threads", arguments.threads,
                    "Accepted for later use: one thread works so far; the mesh does not depend on it")
@@ -409,6 +480,9 @@ ExitStatus run(const RefineArguments& arguments) {
   }
   if (arguments.fallback != "none" && arguments.insert != "sink") {
     throw UsageError("--fallback goes with --insert sink only");
+  }
+  if (arguments.min_dihedral && !arguments.slivers && !arguments.coarsen) {
+    throw UsageError("--min-dihedral goes with --slivers or --coarsen only");
   }
   if (arguments.reach && arguments.insert != "offsink") {
     throw UsageError("--reach goes with --insert offsink only");

@@ -27,6 +27,9 @@ struct RefineArguments {
   std::optional<double> small_angle;
   double flat = BoundaryOptions().flat;
   bool literal = false;
+  bool coarsen = false;
+  bool slivers = false;
+  std::optional<double> min_dihedral;
   unsigned threads = 1;
   std::optional<std::size_t> max_vertices;
   std::optional<double> time_limit;

@@ -32,6 +32,21 @@ Json histogram(const QualityStatistics& quality) {
   return bins;
 }
 
+Json to_json(const AngleCensus& angles) {
+  Json json = {{"below", Json::object()}, {"inner_below", Json::object()}, {"histogram", Json::array()}};
+  for (std::size_t i = 0; i < AngleCensus::kSmall.size(); ++i) {
+    const std::string degrees = fmt::format("{:g}", AngleCensus::kSmall[i]);
+    json["below"][degrees] = angles.below(i);
+    json["inner_below"][degrees] = angles.inner_below(i);
+  }
+  int from = 0;
+  for (const std::uint64_t number : angles.histogram()) {
+    json["histogram"].push_back({{"from", from}, {"to", from + AngleCensus::kBinWidth}, {"angles", number}});
+    from += AngleCensus::kBinWidth;
+  }
+  return json;
+}
+
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 std::uint64_t peak_memory_bytes() {

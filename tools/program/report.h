@@ -24,6 +24,10 @@ Json to_json(int dim, std::size_t vertices, const QualityStatistics& quality);
 /// [{ up_to, simplices }]: the bins of r/l, the last one open (null).
 Json histogram(const QualityStatistics& quality);
 
+/// { below{5 10 15} inner_below{5 10 15} histogram[{ from to angles }] }: simplices with an angle below so many
+/// degrees, those of them that have an inner vertex, and all angles in bins.
+Json to_json(const AngleCensus& angles);
+
 /// Of the final complex, 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 /// The largest amount of memory that the process has had.

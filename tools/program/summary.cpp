@@ -26,7 +26,7 @@ std::string_view phrase(LeftoverReason reason) {
     case LeftoverReason::small_angle:
       return "at a small angle of the surface";
     case LeftoverReason::untried:
-      return "not tried: the run ended before";
+      return "not tried: the run ended before, or points were moved";
   }
   return "";
 }
@@ -60,6 +60,13 @@ void add_quality(Summary& summary, const std::vector<QualityColumn>& columns, in
       [](const QualityColumn& column) { return fmt::format("{:.2f}", column.quality->min_angle()); });
   row("", fmt::format("{} largest", angle),
       [](const QualityColumn& column) { return fmt::format("{:.2f}", column.quality->max_angle()); });
+  if (columns.front().angles == nullptr) return;
+  for (std::size_t i = 0; i < AngleCensus::kSmall.size(); ++i) {
+    row("", fmt::format("{} below {:g}", angle, AngleCensus::kSmall[i]),
+        [&](const QualityColumn& column) { return grouped(column.angles->below(i)); });
+    row("", "  inner vertex",
+        [&](const QualityColumn& column) { return grouped(column.angles->inner_below(i)); });
+  }
 }
 
 void add_histogram(Summary& summary, const QualityStatistics& quality) {

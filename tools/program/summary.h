@@ -23,11 +23,13 @@ class Summary {
   std::string text_;
 };
 
-/// Quality as a table: one column, or two with "before" and "after".
+/// Quality as a table: one column, or more, as of "before" and "after". Small angles are counted where a census
+/// is given, in all columns or none.
 struct QualityColumn {
   std::string_view heading;
   std::size_t vertices;
   const QualityStatistics* quality;
+  const AngleCensus* angles = nullptr;
 };
 void add_quality(Summary& summary, const std::vector<QualityColumn>& columns, int dim, double max_ratio);
 
