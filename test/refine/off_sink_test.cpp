@@ -108,7 +108,7 @@ const typename ChainOracle<Dim>::End* matching(const std::vector<typename ChainO
     if (end.simplex != (found ? found->simplex : Simplex())) continue;
     if (found && (end.part == ChainOracle<Dim>::Part::sink) != (found->distance2 < reach2)) continue;
     if (best == nullptr ||
-        squared_distance(end.point, found->point) < squared_distance(best->point, found->point)) {
+        (found && squared_distance(end.point, found->point) < squared_distance(best->point, found->point))) {
       best = &end;
     }
   }
