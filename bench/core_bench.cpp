@@ -78,6 +78,23 @@ BENCHMARK(BM_InsertOneByOne<3, uniform_cube, Engine::flips>)->Arg(20000)->Unit(b
 BENCHMARK(BM_InsertOneByOne<2, uniform_square, Engine::star>)->Arg(20000)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_InsertOneByOne<2, uniform_square, Engine::flips>)->Arg(20000)->Unit(benchmark::kMillisecond);
 
+// The way back.
+template <int Dim, auto make_points>
+void BM_RemoveOneByOne(benchmark::State& state) {
+  const std::vector<Point<Dim>> points = make_points(static_cast<std::size_t>(state.range(0)));
+  const std::size_t half = points.size() / 2;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Triangulation<Dim> triangulation(points);
+    state.ResumeTiming();
+    for (std::size_t i = points.size(); i-- > half;)
+      triangulation.remove(Vertex(static_cast<std::uint32_t>(i)));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size() - half));
+}
+BENCHMARK(BM_RemoveOneByOne<3, uniform_cube>)->Arg(20000)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_RemoveOneByOne<2, uniform_square>)->Arg(20000)->Unit(benchmark::kMillisecond);
+
 // Each walk starts where the last one ended: far away, or within a hundredth of the width.
 template <int Dim, auto make_points, bool near>
 void BM_Locate(benchmark::State& state) {

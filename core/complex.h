@@ -72,7 +72,7 @@ class Complex {
   std::size_t num_simplices() const { return records_.size() - free_.size(); }
   /// One more than the largest index of a simplex so far.
   std::size_t num_slots() const { return records_.size(); }
-  /// Vertices with an id, those not in the complex (duplicates of others) included; infinity is not counted.
+  /// Vertices with an id, those in no simplex (duplicates, removed ones) included; infinity is not counted.
   std::size_t num_vertices() const { return vertices_.empty() ? 0 : vertices_.size() - 1; }
 
   bool is_alive(Simplex s) const { return records_[s.index()].corner[0] != kDead; }
@@ -101,7 +101,7 @@ class Complex {
   }
 
   const Point<Dim>& point(Vertex v) const { return vertices_[v.slot()].point; }
-  /// A simplex that has v as a corner; null if v is not in the complex (it duplicates another).
+  /// A simplex that has v as a corner; null if v is in none (a duplicate, or removed).
   Simplex incident_simplex(Vertex v) const { return Simplex(vertices_[v.slot()].incident); }
   /// Requires a solid simplex.
   Corners<Dim> corners(Simplex s) const {
@@ -146,6 +146,17 @@ class Complex {
   void release(Simplex s) {
     records_[s.index()].corner[0] = kDead;
     free_.push_back(s.index());
+  }
+  /// Makes sure that `count` simplices can be released without an exception.
+  void reserve_release(std::size_t count) {
+    const std::size_t needed = free_.size() + count;
+    if (needed > free_.capacity()) free_.reserve(std::max(needed, 2 * free_.capacity()));
+  }
+  /// Takes away all simplices and vertices; keeps the memory.
+  void clear() {
+    records_.clear();
+    vertices_.clear();
+    free_.clear();
   }
   /// Appends a vertex that is in no simplex yet.
   Vertex add_vertex(const Point<Dim>& p) {

@@ -50,12 +50,29 @@ void Retriangulator<Dim>::link(Complex<Dim>& complex, HalfFacet h) {
 }
 
 template <int Dim>
+void Retriangulator<Dim>::link_by_sorting(Complex<Dim>& complex) {
+  for (const Simplex s : created_) {
+    for (int i = 0; i <= Dim; ++i) {
+      const HalfFacet h = Complex<Dim>::half_facet(s, i);
+      open_.push_back({key_of(complex, h), h});
+    }
+  }
+  std::sort(open_.begin(), open_.end(), [](const Open& a, const Open& b) { return a.facet < b.facet; });
+  for (std::size_t i = 0; i + 1 < open_.size(); i += 2) {
+    SINKMESH_ASSERT(open_[i].facet == open_[i + 1].facet);
+    complex.set_mates(open_[i].half_facet, open_[i + 1].half_facet);
+  }
+  open_.clear();
+}
+
+template <int Dim>
 const std::vector<Simplex>& Retriangulator<Dim>::replace(Complex<Dim>& complex, std::span<const Simplex> old,
                                                          std::span<const Corners> fresh) {
   created_.resize(fresh.size());
   open_.clear();
   open_.reserve(fresh.size() * (Dim + 1) + old.size() * (Dim + 1));
   complex.reserve(fresh.size());
+  complex.reserve_release(old.size());
 
   auto& records = complex.records();
   for (const Simplex s : old) records[s.index()].corner[0] |= Complex<Dim>::kMark;
@@ -76,8 +93,13 @@ const std::vector<Simplex>& Retriangulator<Dim>::replace(Complex<Dim>& complex, 
       complex.set_incident(corners[i], created_[n]);
     }
   }
-  for (const Simplex s : created_) {
-    for (int i = 0; i <= Dim; ++i) link(complex, Complex<Dim>::half_facet(s, i));
+  constexpr std::size_t kFew = 8;
+  if (created_.size() > kFew) {
+    link_by_sorting(complex);
+  } else {
+    for (const Simplex s : created_) {
+      for (int i = 0; i <= Dim; ++i) link(complex, Complex<Dim>::half_facet(s, i));
+    }
   }
   SINKMESH_ASSERT(open_.empty());
   return created_;

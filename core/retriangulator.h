@@ -28,7 +28,7 @@ class Retriangulator {
   /// corners, infinity anywhere. Slots are used again.
   /// @return the new simplices, in the order of `fresh`; valid until the next call.
   /// @throws CapacityError, std::bad_alloc before anything is changed.
-  /// Cost: quadratic in the number of simplices, which for a flip is at most four.
+  /// Cost: log-linear in the number of simplices; of a few, such as flips have, each is compared with each.
   const std::vector<Simplex>& replace(Complex<Dim>& complex, std::span<const Simplex> old,
                                       std::span<const Corners> fresh);
 
@@ -41,6 +41,7 @@ class Retriangulator {
 
   static std::array<std::uint32_t, Dim> key_of(const Complex<Dim>& complex, HalfFacet h);
   void link(Complex<Dim>& complex, HalfFacet h);
+  void link_by_sorting(Complex<Dim>& complex);
 
   std::vector<Open> open_;
   std::vector<Simplex> created_;

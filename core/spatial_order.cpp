@@ -86,9 +86,14 @@ class Sorter {
     for (std::size_t i = 0; i < indices.size(); ++i)
       indices[i] = static_cast<std::uint32_t>(keys[i] & kIndexMask);
 
+    constexpr std::size_t kAhead = 16;
     for (std::size_t first = 0; first < keys.size();) {
       std::size_t last = first + 1;
-      while (last < keys.size() && keys[last] >> 32 == keys[first] >> 32) ++last;
+      while (last < keys.size() && keys[last] >> 32 == keys[first] >> 32) {
+        // The points of a run lie anywhere in memory; their coordinates will be compared.
+        __builtin_prefetch(&points_[indices[std::min(last + kAhead, keys.size() - 1)]]);
+        ++last;
+      }
       if (last - first > 1) sort_run(indices.subspan(first, last - first));
       first = last;
     }

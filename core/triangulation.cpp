@@ -6,27 +6,11 @@
 #include <string>
 
 #include "core/bulk_search.h"
+#include "core/first_simplex.h"
 #include "core/mix.h"
-#include "predicates/predicates.h"
 
 namespace sinkmesh {
 namespace {
-
-// Whether the points collected so far span a flat of dimension size-1.
-bool is_independent(std::span<const Point2* const> p) {
-  return p.size() < 3 || orient2d(*p[0], *p[1], *p[2]) != 0;
-}
-bool is_independent(std::span<const Point3* const> p) {
-  if (p.size() == 4) return orient3d(*p[0], *p[1], *p[2], *p[3]) != 0;
-  if (p.size() < 3) return true;
-  // Three points are collinear in space iff they are in all three projections to coordinate planes.
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const auto project = [i, j](const Point3& q) { return Point2{q[i], q[j]}; };
-    if (orient2d(project(*p[0]), project(*p[1]), project(*p[2])) != 0) return true;
-  }
-  return false;
-}
 
 [[noreturn]] void throw_degenerate(int affine_dimension, std::size_t distinct) {
   static constexpr const char* kWhat[] = {"there is no point", "all points are equal",
@@ -49,40 +33,10 @@ Triangulation<Dim>::Triangulation(std::span<const Point<Dim>> points, Engine eng
 
   InsertionOrder sorted = insertion_order<Dim>(gated, gate_.box());
   duplicates_ = std::move(sorted.duplicates);
-  make_first_simplex(gated, sorted.order);
+  const std::size_t rank = make_first_simplex<Dim>(complex_, predicates_, gated, sorted.order);
+  if (rank <= Dim) throw_degenerate(static_cast<int>(rank) - 1, sorted.order.size());
   insert_all(engine);
   restore_ids(gated, sorted.order);
-}
-
-// Moves Dim+1 affinely independent points to the front of the order, adds all vertices in that order, and makes
-// the solid simplex of the first ones with its ghosts.
-template <int Dim>
-void Triangulation<Dim>::make_first_simplex(std::span<const Point<Dim>> gated,
-                                            std::vector<std::uint32_t>& order) {
-  std::array<const Point<Dim>*, Dim + 1> basis{};
-  std::size_t rank = 0;
-  for (std::size_t i = 0; i < order.size() && rank <= Dim; ++i) {
-    basis[rank] = &gated[order[i]];
-    if (is_independent(std::span(basis).first(rank + 1))) {
-      // Points that were passed over keep their order.
-      std::rotate(order.begin() + static_cast<std::ptrdiff_t>(rank),
-                  order.begin() + static_cast<std::ptrdiff_t>(i),
-                  order.begin() + static_cast<std::ptrdiff_t>(i + 1));
-      ++rank;
-    }
-  }
-  if (rank <= Dim) throw_degenerate(static_cast<int>(rank) - 1, order.size());
-
-  complex_.vertices().reserve(order.size() + 1);
-  for (const std::uint32_t i : order) complex_.add_vertex(gated[i]);
-  std::array<Vertex, Dim + 1> corners;
-  Corners<Dim> points;
-  for (std::uint32_t i = 0; i <= Dim; ++i) {
-    corners[i] = Vertex(i);
-    points[i] = &complex_.point(corners[i]);
-  }
-  if (predicates_.orient(points) < 0) std::swap(corners[0], corners[1]);
-  complex_.make_sphere(corners);
 }
 
 template <int Dim>
@@ -163,6 +117,19 @@ Vertex Triangulation<Dim>::substitute_star(Cavity<Dim>& cavity, const Point<Dim>
     throw;
   }
   return v;
+}
+
+template <int Dim>
+void Triangulation<Dim>::remove(Vertex v) {
+  const bool is_there = v.slot() < complex_.vertices().size() && !v.is_infinite();
+  if (!is_there || complex_.incident_simplex(v).is_null()) {
+    throw InputError("the vertex to remove is not in the triangulation: give one that is in a simplex");
+  }
+  if (!remover_.remove(complex_, predicates_, v)) {
+    throw DegenerateInput("without vertex " + std::to_string(v.index()) +
+                              " all points lie in one hyperplane: keep it, or insert others before",
+                          Dim - 1);
+  }
 }
 
 template <int Dim>

@@ -15,6 +15,7 @@
 #include "core/spatial_order.h"
 #include "core/star_linker.h"
 #include "core/validation.h"
+#include "core/vertex_remover.h"
 #include "predicates/input_gate.h"
 #include "predicates/staged.h"
 
@@ -78,6 +79,15 @@ class Triangulation {
   ///         two above all |coordinates| of the input.
   Insertion insert(const Point<Dim>& p, Engine engine = Engine::star, Simplex hint = {});
 
+  /// Removes a vertex: the complex is then that of the other points. The vertex keeps its id and coordinates
+  /// and is in no simplex; copies of it that were in the input are not put in its place. Other handles of
+  /// vertices stay valid, those of simplices outside the star as well.
+  ///
+  /// Cost: about that of inserting the vertices of its link (vertex_remover.h).
+  /// @throws InputError      if v is no vertex, or in no simplex.
+  /// @throws DegenerateInput if all other points lie in one hyperplane. Nothing has changed then.
+  void remove(Vertex v);
+
   // -- the prestar of a point, for callers that want to look before they insert [EG01, 4.1]
 
   /// Makes x a legal argument of grow_prestar(). Gated coordinates.
@@ -110,7 +120,6 @@ class Triangulation {
   Complex<Dim>& mutable_complex() { return complex_; }
 
  private:
-  void make_first_simplex(std::span<const Point<Dim>> gated, std::vector<std::uint32_t>& order);
   void insert_all(Engine engine);
   void restore_ids(std::span<const Point<Dim>> gated, const std::vector<std::uint32_t>& order);
   Simplex some_simplex() const;
@@ -121,6 +130,7 @@ class Triangulation {
   Cavity<Dim> cavity_;
   StarLinker<Dim> linker_;
   FlipInserter<Dim> flipper_;
+  VertexRemover<Dim> remover_;
   std::vector<InsertionOrder::Duplicate> duplicates_;
 };
 using Triangulation2 = Triangulation<2>;

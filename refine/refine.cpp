@@ -239,11 +239,13 @@ RefineResult SurfaceMesher<Dim>::refine(const RefineOptions& options) {
   state.leftovers = refiner.leftovers();
   if (refiner.last_valid() == nullptr) return result;
   state.restore(*refiner.last_valid());
-  Refiner<Dim> restored = make_refiner();
-  const RefineResult seen = restored.look();
-  result.remaining = seen.remaining;
-  result.centers_beyond = seen.centers_beyond;
-  state.leftovers = restored.leftovers();
+  if (!refiner.knows_leftovers()) {
+    Refiner<Dim> restored = make_refiner();
+    const RefineResult seen = restored.look();
+    result.remaining = seen.remaining;
+    result.centers_beyond = seen.centers_beyond;
+    state.leftovers = restored.leftovers();
+  }
   result.inserted = state.triangulation.complex().num_vertices() - before;
   result.points_on_segments = state.count_vertices(Feature::Kind::segment, before);
   result.points_on_patches = state.count_vertices(Feature::Kind::patch, before);

@@ -43,8 +43,10 @@ class Refiner {
   RefineResult look();
   /// After run(): null if the mesh is valid. Else a budget, the cancel flag or the floor has ended it in the
   /// middle of what a point on the boundary set off, and this is a valid state shortly before: rebuild that,
-  /// and ask a new Refiner what remains.
+  /// and, unless this one knows, ask a new Refiner what remains.
   const typename Boundary<Dim>::Snapshot* last_valid() const { return is_valid_ ? nullptr : &*last_valid_; }
+  /// Whether leftovers() and `remaining` are those of last_valid(), too.
+  bool knows_leftovers() const { return is_valid_ || is_bold_; }
   /// After run(): the simplices of low quality that remain, the worst ratio first. Corners and features are
   /// those of the complex.
   const std::vector<Leftover<Dim>>& leftovers() const { return leftovers_; }
@@ -123,7 +125,8 @@ class Refiner {
   std::vector<Leftover<Dim>> leftovers_;
   RefineResult result_;
   Progress round_;
-  std::size_t dependent_ = 0;  // found so before a search
+  std::size_t dependent_ = 0;   // found so before a search
+  std::size_t num_merged_ = 0;  // candidates that fell together with others of the round
   std::size_t inserted_before_round_ = 0;
   bool generous_ = false;  // with points on the boundary
   bool is_valid_ = true;

@@ -46,6 +46,7 @@ void Refiner<Dim>::refine_boundary() {
     last_valid_ = boundary_->snapshot();
     if (lambda != conformer_->lambda()) {
       is_bold_ = true;
+      classify_remaining();
       boundary_->forget_relaxed_radii();
       conformer_->set_lambda(lambda);
       inserter_.set_lambda(lambda);
@@ -134,7 +135,10 @@ template <int Dim>
 bool Refiner<Dim>::divide_for(const Candidate<Dim>& candidate, double relaxed2) {
   const std::vector<Encroached> encroached = encroached_sub_facets(candidate);
   // Perhaps it was refused because of what has been divided since.
-  if (encroached.empty()) return try_insert(candidate);
+  if (encroached.empty()) {
+    ++round_.candidates;
+    return try_insert(candidate);
+  }
   // In the plane: what a shell at a third of a segment leaves of the radius of a center that encroaches it.
   constexpr double kShell2 = 0.22;
   const double least2 = least_distance2(candidate.radius2, Dim == 2 ? kShell2 * candidate.radius2 : relaxed2);

@@ -18,7 +18,8 @@ typename SphereSet<Dim>::Sphere sphere_of(const Candidate<Dim>& candidate) {
 }  // namespace
 
 // A round without an insertion has rejected all its candidates for as long as their simplices live, and nothing
-// has changed: there is no candidate left, unless the fallback has some.
+// has changed: what is left are those that fell together with others, which are fewer, and those of the
+// fallback.
 template <int Dim>
 void Refiner<Dim>::run_rounds() {
   bool own_centers = options_.insert == Insert::circumcenter;
@@ -39,6 +40,8 @@ void Refiner<Dim>::run_rounds() {
     }
     if (!candidates.empty() && num_inserted() > before) {
       own_centers = options_.insert == Insert::circumcenter;
+    } else if (num_merged_ > 0) {
+      continue;
     } else if (own_centers || !has_fallback()) {
       return;
     } else {
@@ -48,7 +51,8 @@ void Refiner<Dim>::run_rounds() {
 }
 
 // The points of the simplices of low quality, or of the sinks that their flow reaches; of those that fall
-// together one. The largest circumradius first, but off-sinks in the order of the simplices for which they are.
+// together one, but in the paper's rounds all: there the choice drops the others. The largest circumradius
+// first, but off-sinks in the order of the simplices for which they are.
 template <int Dim>
 std::vector<Candidate<Dim>> Refiner<Dim>::collect(bool own_centers) {
   std::vector<Simplex> low = inserter_.low_quality();
@@ -67,12 +71,14 @@ std::vector<Candidate<Dim>> Refiner<Dim>::collect(bool own_centers) {
     if (a.priority != b.priority) return a.priority > b.priority;
     return a.tie != b.tie ? a.tie < b.tie : a.corners < b.corners;
   };
-  if (!own_centers) {
+  num_merged_ = 0;
+  if (!own_centers && !options_.literal) {
     std::sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
       return a.point != b.point ? a.point < b.point : comes_before(a, b);
     });
     const auto end = std::unique(candidates.begin(), candidates.end(),
                                  [](const auto& a, const auto& b) { return a.point == b.point; });
+    num_merged_ = static_cast<std::size_t>(candidates.end() - end);
     candidates.erase(end, candidates.end());
   }
   std::sort(candidates.begin(), candidates.end(), comes_before);

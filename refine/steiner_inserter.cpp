@@ -256,6 +256,9 @@ template <int Dim>
 Verdict SteinerInserter<Dim>::locate(const Candidate<Dim>& candidate, Simplex& start) {
   if (is_current(candidate.simplex, candidate.birth)) {
     start = candidate.simplex;
+    // Where a circumcenter lies on a wall, the flow may lead beyond: its ties are broken, those of encroachment
+    // are not.
+    if (!domain_->is_inside(start)) return Verdict::crossing;
     return is_strictly_inside(complex().corners(start), candidate.point) ? Verdict::inserted
                                                                          : Verdict::separation;
   }

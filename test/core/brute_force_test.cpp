@@ -3,6 +3,7 @@
 // The oracle itself: two versions that share only the lifting, and worked examples.
 #include "test/support/brute_force.h"
 
+#include "test/support/brute_force_doubles.h"
 #include "test/support/complexes.h"
 
 namespace sinkmesh {
@@ -26,6 +27,18 @@ TYPED_TEST(BruteForce, SymbolicWeightsAgreeWithExplicitOnes) {
     simplices += expected.size();
   }
   EXPECT_GT(simplices, 1000U);
+}
+
+TYPED_TEST(BruteForce, IsTheSameForDoublesByIntegers) {
+  constexpr int Dim = TypeParam::value;
+  Random random(2);
+  for (const Cloud kind : kAllClouds) {
+    for (int trial = 0; trial < 8; ++trial) {
+      SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind) << ", " << trial);
+      const auto points = make_cloud<Dim>(kind, 7, random);
+      ASSERT_EQ(brute_force_delaunay_of_doubles<Dim>(points), brute_force_delaunay_by_weights<Dim>(points));
+    }
+  }
 }
 
 TYPED_TEST(BruteForce, FillsTheHullOfAGrid) {

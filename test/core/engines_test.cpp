@@ -9,6 +9,7 @@
 
 #include "core/triangulation.h"
 #include "test/support/complexes.h"
+#include "test/support/shapes.h"
 
 namespace sinkmesh {
 namespace {
@@ -18,16 +19,6 @@ using namespace test;
 template <class Dimension>
 class Engines : public testing::Test {};
 TYPED_TEST_SUITE(Engines, Dimensions, DimensionNames);
-
-/// The complex of the points if they span the space.
-template <int Dim>
-std::optional<Triangulation<Dim>> triangulate(const std::vector<Point<Dim>>& points, Engine engine) {
-  try {
-    return Triangulation<Dim>(points, engine);
-  } catch (const DegenerateInput&) {
-    return std::nullopt;
-  }
-}
 
 // Points with few coordinates are mostly collinear, coplanar or cospherical: the tie rules decide everything
 // here.
@@ -73,113 +64,12 @@ TYPED_TEST(Engines, BuildTheOraclesComplexOfCloudsOfEveryKind) {
   }
 }
 
-/// Larger sets, too many for the oracle.
-enum class Shape {
-  kGrid,            ///< all points of a grid
-  kSphere,          ///< rounded onto a sphere
-  kIntegerSphere,   ///< exactly cospherical
-  kFlatPlusOne,     ///< on a hyperplane, and one point beside it
-  kLinePlusFew,     ///< collinear, and three points beside the line
-  kCylinder,        ///< rings of exactly cocircular points; in the plane two columns
-  kTwoHyperplanes,  ///< grids on two parallel ones
-  kClusters,        ///< around a few centres, at very different scales
-  kFineSpacing,     ///< a grid of spacing 1e-9 far from the origin
-  kUniform,
-};
-constexpr std::array kShapes{Shape::kGrid,        Shape::kSphere,   Shape::kIntegerSphere,  Shape::kFlatPlusOne,
-                             Shape::kLinePlusFew, Shape::kCylinder, Shape::kTwoHyperplanes, Shape::kClusters,
-                             Shape::kFineSpacing, Shape::kUniform};
-
-template <int Dim>
-std::vector<Point<Dim>> make_shape(Shape shape, Random& random) {
-  std::vector<Point<Dim>> points;
-  const auto add = [&](auto coordinate) {
-    Point<Dim>& p = points.emplace_back();
-    for (std::size_t k = 0; k < Dim; ++k) p[k] = coordinate(k);
-  };
-  switch (shape) {
-    case Shape::kGrid:
-      points = full_grid<Dim>(Dim == 2 ? 90 : 20);
-      break;
-    case Shape::kSphere:
-      for (int i = 0; i < 1000; ++i) {
-        add([&](std::size_t) { return uniform(random, -1, 1); });
-        double norm = 0;
-        for (const double x : points.back()) norm += x * x;
-        for (double& x : points.back()) x /= std::sqrt(norm);
-      }
-      break;
-    case Shape::kIntegerSphere:  // 325 = 1+18^2 = 6^2+17^2 = 10^2+15^2, 3D many more ways
-      for (const auto& p : full_grid<Dim>(37)) {
-        double norm = 0;
-        for (const double x : p) norm += (x - 18) * (x - 18);
-        if (norm == 325) points.push_back(p);
-      }
-      break;
-    case Shape::kFlatPlusOne:
-      for (int i = 0; i < 300; ++i) {
-        add([&](std::size_t) { return static_cast<double>(uniform_int(random, -20, 20)); });
-        points.back()[0] = 3 * points.back()[1] + (Dim == 3 ? points.back()[Dim - 1] : 0);
-      }
-      add([](std::size_t k) { return k == 0 ? 1.0 : 0.0; });
-      break;
-    case Shape::kLinePlusFew:
-      for (int i = 0; i < 300; ++i) {
-        const int x = uniform_int(random, -200, 200);
-        add([&](std::size_t k) { return static_cast<double>(x * static_cast<int>(k + 1)); });
-      }
-      for (int i = 0; i < 3; ++i)
-        add([&](std::size_t) { return static_cast<double>(uniform_int(random, -9, 9)); });
-      break;
-    case Shape::kCylinder:
-      for (int z = 0; z < 30; ++z) {
-        for (const Point2 q : {Point2{5, 0},
-                               {4, 3},
-                               {3, 4},
-                               {0, 5},
-                               {-3, 4},
-                               {-4, 3},
-                               {-5, 0},
-                               {-4, -3},
-                               {-3, -4},
-                               {0, -5},
-                               {3, -4},
-                               {4, -3}}) {
-          add([&](std::size_t k) { return k == Dim - 1 ? 3.0 * z : q[k]; });
-        }
-      }
-      break;
-    case Shape::kTwoHyperplanes:
-      for (const auto& p : full_grid<Dim>(Dim == 2 ? 150 : 13)) {
-        if (p[0] <= 1) points.push_back(p);
-      }
-      break;
-    case Shape::kClusters:
-      for (int i = 0; i < 1200; ++i) {
-        const double centre = static_cast<double>(i % 4);
-        const double scale = std::ldexp(1.0, -15 * (i % 4));
-        add([&](std::size_t k) { return centre * (k == 0 ? 1 : 0.5) + scale * uniform(random, -1, 1); });
-      }
-      break;
-    case Shape::kFineSpacing:
-      for (auto p : full_grid<Dim>(Dim == 2 ? 25 : 9)) {
-        for (double& x : p) x = 1 + 1e-9 * x;
-        points.push_back(p);
-      }
-      break;
-    case Shape::kUniform:
-      for (int i = 0; i < 2000; ++i) add([&](std::size_t) { return uniform(random, -1, 1); });
-      break;
-  }
-  return points;
-}
-
 TYPED_TEST(Engines, AgreeOnEveryShapeInAnyOrder) {
   constexpr int Dim = TypeParam::value;
   Random random(4);
   for (const Shape shape : kShapes) {
     SCOPED_TRACE(testing::Message() << "shape " << static_cast<int>(shape));
-    const auto points = make_shape<Dim>(shape, random);
+    const auto points = make_shape<Dim>(shape, 1500, random);
     const Triangulation<Dim> star(points, Engine::star);
     EXPECT_TRUE(star.validate().ok()) << star.validate();
     const Triangulation<Dim> flips(points, Engine::flips);

@@ -3,7 +3,6 @@
 // The circumcenter against exact rationals: rounded once, to nearest even, whichever way it was computed.
 #include "predicates/circumcenter.h"
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,51 +14,13 @@
 #include "predicates/detail/circumcenter_stages.h"
 #include "predicates/input_gate.h"
 #include "test/support/clouds.h"
-#include "test/support/exact_signs.h"
+#include "test/support/exact_center.h"
 
 namespace sinkmesh {
 namespace {
 
 using namespace detail;
 using namespace test;
-
-/// By rational arithmetic: the candidate nearest to the exact coordinate among the doubles of the grid around
-/// it.
-double rounded_on_grid(const mpq_class& exact) {
-  mpz_class scaled_down;
-  const mpq_class units = exact * (mpz_class(1) << kGridBits);
-  // The unit in the last place, in units of the grid: 2^(bits - 53) if the integer part has more than 53 bits.
-  mpz_class floor = units.get_num() / units.get_den();
-  floor = abs(floor);
-  const std::size_t bits = floor == 0 ? 0 : mpz_sizeinbase(floor.get_mpz_t(), 2);
-  const mpz_class step = mpz_class(1) << (bits > 53 ? bits - 53 : 0);
-  const mpq_class steps = units / step;
-  mpz_class lower;
-  mpz_fdiv_q(lower.get_mpz_t(), steps.get_num_mpz_t(), steps.get_den_mpz_t());
-  const mpq_class above = steps - lower;
-  const mpq_class half(1, 2);
-  const bool up = above > half || (above == half && mpz_odd_p(lower.get_mpz_t()) != 0);
-  const mpz_class nearest = (up ? mpz_class(lower + 1) : lower) * step;
-  return std::ldexp(nearest.get_d(), -kGridBits) + 0.0;
-}
-
-template <int Dim>
-std::optional<Point<Dim>> exact_center(const std::vector<Point<Dim>>& points) {
-  const ExactPoints<Dim> p(points);
-  const auto y = exact_center_numerator<Dim>(p, 0, exact_lifts<Dim>(p, 0));
-  const Integer d = 2 * exact_volume<Dim>(p, 0);
-  const mpq_class unit = p.shift() >= 0 ? mpq_class(1, mpz_class(1) << static_cast<unsigned long>(p.shift()))
-                                        : mpq_class(mpz_class(1) << static_cast<unsigned long>(-p.shift()));
-  Point<Dim> center;
-  for (std::size_t k = 0; k < Dim; ++k) {
-    mpq_class quotient(y[k], d);
-    quotient.canonicalize();
-    const mpq_class coordinate = (p[0][k] + quotient) * unit;
-    if (abs(coordinate) > 2) return std::nullopt;
-    center[k] = rounded_on_grid(coordinate);
-  }
-  return center;
-}
 
 template <int Dim>
 Corners<Dim> corners(const std::vector<Point<Dim>>& points) {

@@ -3,7 +3,6 @@
 // Powers, vectors to circumcenters and normals against exact integers.
 #include "predicates/constructions.h"
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +10,7 @@
 #include "predicates/input_gate.h"
 #include "test/support/clouds.h"
 #include "test/support/dimensions.h"
-#include "test/support/exact_signs.h"
+#include "test/support/exact_center.h"
 
 namespace sinkmesh {
 namespace {
@@ -21,18 +20,6 @@ using namespace test;
 template <class T>
 class ConstructionsTest : public testing::Test {};
 TYPED_TEST_SUITE(ConstructionsTest, PlaneAndSpace, DimensionName);
-
-/// value / 2^shift.
-mpq_class scaled(const Integer& value, const Integer& divisor, long shift) {
-  mpq_class q(value, divisor);
-  q.canonicalize();
-  if (shift >= 0) {
-    mpq_div_2exp(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(shift));
-  } else {
-    mpq_mul_2exp(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(-shift));
-  }
-  return q;
-}
 
 template <int Dim>
 std::vector<Point<Dim>> gated_cloud(Cloud kind, Random& random) {
@@ -58,12 +45,8 @@ TYPED_TEST(ConstructionsTest, PowerIsTheExactOneRounded) {
     for (int trial = 0; trial < 400; ++trial) {
       const auto points = gated_cloud<kDim>(kind, random);
       const ExactPoints<kDim> p(points);
-      const Integer d = exact_volume<kDim>(p, 0);
-      if (d == 0) continue;
-      // |y-z|^2 - r^2 with z = a + q/(2d): |y-a|^2 - (y-a).q/d.
-      const auto q = exact_center_numerator<kDim>(p, 0, exact_lifts<kDim>(p, 0));
-      const auto e = p.difference(kDim + 1, 0);
-      const mpq_class exact = scaled(inner(e, e) * d - inner(e, q), d, 2 * p.shift());
+      if (exact_volume<kDim>(p, 0) == 0) continue;
+      const mpq_class exact = exact_power<kDim>(p);
       const double value = power<kDim>(corners<kDim>(points), points[kDim + 1]);
       ++checked;
       if (exact == 0) {
@@ -89,16 +72,14 @@ TYPED_TEST(ConstructionsTest, VectorToTheCircumcenterIsTheExactOneRounded) {
       auto points = gated_cloud<kDim>(kind, random);
       if (trial % 3 == 0) points[kDim + 1] = {};
       const ExactPoints<kDim> p(points);
-      const Integer d = exact_volume<kDim>(p, 0);
-      if (d == 0) continue;
-      const auto q = exact_center_numerator<kDim>(p, 0, exact_lifts<kDim>(p, 0));
-      const auto e = p.difference(0, kDim + 1);
+      if (exact_volume<kDim>(p, 0) == 0) continue;
+      const auto vector = exact_vector_to_center<kDim>(p, kDim + 1);
       const Point<kDim> value = vector_to_circumcenter<kDim>(corners<kDim>(points), points[kDim + 1]);
-      const double reach = std::sqrt(scaled(inner(q, q), 4 * d * d, 2 * p.shift()).get_d());
+      double reach = 0;
+      for (const mpq_class& x : exact_vector_to_center<kDim>(p, 0)) reach = std::hypot(reach, x.get_d());
       for (std::size_t k = 0; k < kDim; ++k) {
-        const mpq_class exact = scaled(2 * d * e[k] + q[k], 2 * d, p.shift());
-        const mpq_class error = mpq_class(value[k]) - exact;
-        ASSERT_LE(std::abs(error.get_d()), 0x1p-52 * std::abs(exact.get_d()) + 0x1p-98 * reach);
+        const mpq_class error = mpq_class(value[k]) - vector[k];
+        ASSERT_LE(std::abs(error.get_d()), 0x1p-52 * std::abs(vector[k].get_d()) + 0x1p-98 * reach);
       }
     }
   }
@@ -114,16 +95,9 @@ TYPED_TEST(ConstructionsTest, NormalHasExactSignsAndPointsOutward) {
       FacetCorners<kDim> facet;
       for (std::size_t i = 0; i < kDim; ++i) facet[i] = &points[i];
       const Point<kDim> normal = facet_normal<kDim>(facet);
-      std::vector<Integer> exact;
-      const auto u = p.difference(1, 0);
-      if constexpr (kDim == 2) {
-        exact = {u[1], -u[0]};
-      } else {
-        const auto v = p.difference(2, 0);
-        exact = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-      }
+      const auto exact = exact_normal<kDim>(p);
       for (std::size_t k = 0; k < kDim; ++k) {
-        const mpq_class n = scaled(exact[k], 1, (kDim - 1) * p.shift());
+        const mpq_class& n = exact[k];
         if (n == 0) {
           ASSERT_EQ(normal[k], 0);
           ASSERT_FALSE(std::signbit(normal[k]));

@@ -302,22 +302,6 @@ TEST(BoundaryRefiner, LeavesNoThinSimplexOnARotatedSide) {
   }
 }
 
-template <int Dim>
-Surface<Dim> in_another_order(const Surface<Dim>& s, std::uint64_t seed) {
-  test::Random random(seed);
-  std::vector<std::uint32_t> place(s.points.size());
-  for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
-  std::shuffle(place.begin(), place.end(), random);
-  Surface<Dim> result = s;
-  for (std::size_t i = 0; i < place.size(); ++i) result.points[place[i]] = s.points[i];
-  for (auto& facet : result.facets) {
-    for (std::uint32_t& p : facet) p = place[p];
-    std::shuffle(facet.begin(), facet.end(), random);
-  }
-  std::shuffle(result.facets.begin(), result.facets.end(), random);
-  return result;
-}
-
 TYPED_TEST(BoundaryRefiner, DoesNotDependOnTheOrderOfTheInput) {
   constexpr int kDim = TypeParam::value;
   for (const auto& input : inputs<kDim>()) {
@@ -328,7 +312,8 @@ TYPED_TEST(BoundaryRefiner, DoesNotDependOnTheOrderOfTheInput) {
       std::set<std::pair<std::size_t, std::uint64_t>> conformed;
       std::set<std::pair<std::size_t, std::uint64_t>> refined;
       for (const std::uint64_t seed : {0, 1, 2}) {
-        SurfaceMesher<kDim> mesher(seed == 0 ? input.surface : in_another_order(input.surface, seed));
+        test::Random random(seed);
+        SurfaceMesher<kDim> mesher(seed == 0 ? input.surface : test::in_another_order(input.surface, random));
         ASSERT_TRUE(mesher.find_domain(options).ok());
         conformed.emplace(mesher.mesh().points.size(), mesher.hash());
         mesher.refine(options);
