@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """One result on every compiler and with every flag: builds the program in many ways and compares its meshes.
 
-    python3 -B test/builds_test.py [--only REGEX] [--work DIR]
+    python3 -B test/builds_test.py [--only REGEX] [--jobs N] [--work DIR]
 
 Compares the hash in the report and every byte of the mesh. Takes about a quarter of an hour on four cores.
 """
@@ -12,13 +12,14 @@ import os
 import pathlib
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MODELS = ROOT / "test" / "data" / "paper"
-COMPILERS = {"gcc": "g++", "clang": "clang++"}
+COMPILERS = {"gcc": "g++", "clang": "clang++"}  # or the newest of clang++-14 and the like
 SANITIZERS = "-fsanitize=address,undefined -fno-sanitize-recover=all"
 FLAGS = {
     "O0": "-O0", "O2": "-O2", "O3": "-O3", "native": "-O3 -march=native", "sanitized": f"-O1 {SANITIZERS}",
@@ -77,11 +78,23 @@ def results(program, folder):
     return found
 
 
-def build(folder, compiler, flags):
-    """The program, or None and what went wrong."""
+def find_compiler(command):
+    """Its path; that of the newest version where only names with one are installed."""
+    if shutil.which(command):
+        return shutil.which(command)
+    name = re.compile(re.escape(command) + r"-(\d+)")
+    found = [(int(match.group(1)), path) for folder in os.get_exec_path() for path in pathlib.Path(folder).glob(f"{command}-*")
+             if (match := name.fullmatch(path.name)) and os.access(path, os.X_OK)]
+    if not found:
+        sys.exit(f"{command} is not installed (.ci/bootstrap builds)")
+    return max(found)[1]
+
+
+def build(folder, compiler, flags, jobs):
+    """The program."""
     for command in (["cmake", "-G", "Ninja", "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=None",
                      "-DSINKMESH_BUILD_TESTS=OFF", f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS={flags}"],
-                    ["cmake", "--build", folder, "--target", "sinkmesh"]):
+                    ["cmake", "--build", folder, "--target", "sinkmesh", "--parallel", str(jobs)]):
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         if done.returncode != 0:
             sys.exit(f"{compiler} {flags}: {done.stdout[-4000:]}")
@@ -91,6 +104,7 @@ def build(folder, compiler, flags):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", default="", help="builds whose name, such as gcc-O2, matches")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="of each build")
     parser.add_argument("--work", type=pathlib.Path, help="folder for the builds, which stay there")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
@@ -104,7 +118,7 @@ def main():
                 name = f"{compiler}-{kind}"
                 if not re.search(options.only, name):
                     continue
-                found = results(build(work / name, command, flags), inputs)
+                found = results(build(work / name, find_compiler(command), flags, options.jobs), inputs)
                 expected, first = (found, name) if expected is None else (expected, first)
                 wrong = [case for case, result in found.items() if result != expected[case] or "exit" in result]
                 for case in wrong:

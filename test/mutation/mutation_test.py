@@ -41,7 +41,7 @@ FILES = {
     "predicates/detail/scaled_integers.h": 4, "predicates/detail/grid.h": 2, "predicates/detail/quotient.h": 3,
     "core/conflict.h": 4, "core/cavity.h": 5, "core/complex.h": 4, "core/complex.cpp": 3, "core/star_linker.cpp": 6,
     "core/flip_inserter.cpp": 6, "core/location.h": 3, "core/triangulation.cpp": 6, "core/validation.cpp": 5,
-    "core/star.cpp": 3, "core/star_walk.h": 2,
+    "core/star.cpp": 3, "core/star_walk.h": 2, "core/first_simplex.cpp": 3, "core/vertex_remover.cpp": 6,
     "refine/flow.cpp": 4, "refine/flow.h": 2, "refine/sink_walk.h": 3, "refine/domain.cpp": 7, "refine/boundary.cpp": 8,
     "refine/boundary_features.cpp": 5, "refine/steiner_inserter.cpp": 12, "refine/steiner_inserter.h": 4,
     "refine/off_sink.cpp": 4, "refine/sub_facets.cpp": 5, "refine/patch_triangulation.cpp": 6, "refine/patches.cpp": 4,
