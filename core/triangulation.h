@@ -77,6 +77,8 @@ class Triangulation {
   /// @param p  in the units of the input; rounded to the grid of the gate.
   /// @throws InputError if p is not finite, or has a coordinate beyond the gate: not below the first power of
   ///         two above all |coordinates| of the input.
+  /// @throws CapacityError, std::bad_alloc. Nothing has changed then, but by flips, which may leave a
+  ///         triangulation that is not Delaunay yet.
   Insertion insert(const Point<Dim>& p, Engine engine = Engine::star, Simplex hint = {});
 
   /// Removes a vertex: the complex is then that of the other points. The vertex keeps its id and coordinates
@@ -85,7 +87,8 @@ class Triangulation {
   ///
   /// Cost: about that of inserting the vertices of its link (vertex_remover.h).
   /// @throws InputError      if v is no vertex, or in no simplex.
-  /// @throws DegenerateInput if all other points lie in one hyperplane. Nothing has changed then.
+  /// @throws DegenerateInput if all other points lie in one hyperplane. Nothing has changed then, nor if memory
+  ///         runs out.
   void remove(Vertex v);
 
   // -- the prestar of a point, for callers that want to look before they insert [EG01, 4.1]
@@ -102,6 +105,7 @@ class Triangulation {
   void release(const Cavity<Dim>& cavity) { cavity.release(complex_); }
   /// Replaces the prestar of x by its star. Requires that the cavity is the whole prestar, and that x is no
   /// vertex.
+  /// @throws CapacityError, std::bad_alloc; the prestar is then released and the triangulation as before.
   Vertex substitute_star(Cavity<Dim>& cavity, const Point<Dim>& x);
 
   /// Renumbers simplices without gaps; vertices keep their ids.

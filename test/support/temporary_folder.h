@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// A place for files that tests write.
 #pragma once
 
 #include <stdlib.h>
@@ -6,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -46,6 +49,19 @@ class TemporaryFolder {
     }
     std::sort(names.begin(), names.end());
     return names;
+  }
+
+  /// All files: name and bytes.
+  using Contents = std::map<std::string, std::string>;
+  Contents contents() const {
+    Contents contents;
+    for (const std::string& name : files()) contents[name] = read(name);
+    return contents;
+  }
+  /// Nothing else is left.
+  void set_contents(const Contents& contents) const {
+    for (const std::string& name : files()) std::filesystem::remove_all(path(name));
+    for (const auto& [name, bytes] : contents) write(name, bytes);
   }
 
  private:
