@@ -3,7 +3,7 @@
 
     python3 -B test/builds_test.py [--only REGEX] [--jobs N] [--work DIR]
 
-Compares the hash in the report and every byte of the mesh. Takes about a quarter of an hour on four cores.
+Compares the hash in the report and every byte of the mesh, and disassembles those for this processor. Takes about a quarter of an hour on four cores.
 """
 import argparse
 import hashlib
@@ -17,12 +17,16 @@ import subprocess
 import sys
 import tempfile
 
+import contraction_test
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MODELS = ROOT / "test" / "data" / "paper"
 COMPILERS = {"gcc": "g++", "clang": "clang++"}  # or the newest of clang++-14 and the like
 SANITIZERS = "-fsanitize=address,undefined -fno-sanitize-recover=all"
 FLAGS = {
-    "O0": "-O0", "O2": "-O2", "O3": "-O3", "native": "-O3 -march=native", "sanitized": f"-O1 {SANITIZERS}",
+    "O0": "-O0", "O2": "-O2", "O3": "-O3", "native": "-O3 -march=native",
+    "unfused": "-O3 -march=native -U__FMA__",  # contraction_test.py tells why
+    "sanitized": f"-O1 {SANITIZERS}",
     "hardened": "-O1 -D_GLIBCXX_ASSERTIONS -D_GLIBCXX_DEBUG -DSINKMESH_CHECKED",
 }
 TETRAHEDRA = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
@@ -125,6 +129,11 @@ def main():
                     print(f"{name}: {case}: {found[case]}, but {first} {expected[case]}")
                 print(f"{name}: {len(found) - len(wrong)} of {len(found)} meshes as by {first}", flush=True)
                 differences += len(wrong)
+                if kind == "unfused":
+                    fused = [line for library in sorted((work / name).rglob("libsinkmesh_*.a"))
+                             for line in contraction_test.fused_instructions(library)[1]]
+                    print("\n".join([*fused, f"{name}: {len(fused)} fused instructions"]), flush=True)
+                    differences += len(fused)
                 compared += 1
     print(f"{compared} builds, {differences} differences")
     return 0 if compared > 1 and differences == 0 else 1

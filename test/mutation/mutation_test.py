@@ -160,9 +160,11 @@ def verdict(slot, tests, fault):
         for names, seconds in tests.rounds(layer, pathlib.Path(fault.file).stem):
             status, output = slot.gtest(layer, 30 + 5 * seconds, f"--gtest_filter={names}", "--gtest_fail_fast")
             if status != 0:
-                ran = re.findall(r"^\[ RUN      \] (\S+)", output, re.MULTILINE)
+                # After a failure the rest is started, but skipped.
+                named = (re.findall(r"^\[  FAILED  \] ([^\s,]+)", output, re.MULTILINE)[:1] or
+                         re.findall(r"^\[ RUN      \] (\S+)", output, re.MULTILINE)[-1:])
                 how = {None: "too slow", 1: "failed"}.get(status, "crashed")
-                return f"{ran[-1] if ran else LAYERS[layer] + '_test'} {how}"
+                return f"{named[0] if named else LAYERS[layer] + '_test'} {how}"
     if not is_other:
         return None
     if not slot.make("sinkmesh"):
