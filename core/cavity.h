@@ -53,6 +53,7 @@ class Cavity {
   /// @param start  a simplex in conflict with x (not checked).
   /// @param guide  is asked at every step; see FreeGuide.
   /// @return false if the guide gave up: the complex is then as before, and the cavity holds what was found.
+  /// @throws std::bad_alloc; the complex is then as before.
   ///
   /// Cost: one conflict test for each facet of the boundary and each simplex of the prestar.
   template <class Guide>
@@ -78,6 +79,8 @@ class Cavity {
  private:
   template <int>
   friend class StarLinker;
+
+  void make_room(Complex<Dim>& complex);
 
   detail::PodArray<std::uint32_t> members_;  // each the half-facet through which the search entered its simplex
   detail::PodArray<Facet> facets_;
@@ -128,8 +131,7 @@ bool Cavity<Dim>::grow(Complex<Dim>& complex, const Predicates<Dim>& predicates,
     if (num_members + kCorners > members_.capacity() || num_facets + kCorners > facets_.capacity()) {
       members_.resize(num_members);
       facets_.resize(num_facets);
-      members_.reserve(2 * num_members + 64);
-      facets_.reserve(2 * num_facets + 64);
+      make_room(complex);
     }
     if (head + 2 < num_members) {
       for (const std::uint32_t mate : records[members_.data()[head + 2] / kCorners].mate) {
@@ -148,6 +150,17 @@ bool Cavity<Dim>::grow(Complex<Dim>& complex, const Predicates<Dim>& predicates,
   facets_.resize(num_facets);
   if (!finished) release(complex);
   return finished;
+}
+
+template <int Dim>
+void Cavity<Dim>::make_room(Complex<Dim>& complex) {
+  try {
+    members_.reserve(2 * members_.size() + 64);
+    facets_.reserve(2 * facets_.size() + 64);
+  } catch (...) {
+    release(complex);
+    throw;
+  }
 }
 
 template <int Dim>

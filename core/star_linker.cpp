@@ -11,6 +11,12 @@ namespace {
 // in space.
 constexpr int kNumberBits = 8;
 
+// Tables of two sizes: most stars fit the small one.
+constexpr int kLogShortRow = 5;
+constexpr int kLogLongRow = kNumberBits;
+constexpr std::size_t kShortRow = std::size_t{1} << kLogShortRow;
+constexpr std::size_t kLongRow = std::size_t{1} << kLogLongRow;
+
 template <int Dim>
 constexpr std::size_t num_link_vertices(std::size_t facets) {
   return Dim == 2 ? facets : facets / 2 + 2;
@@ -57,18 +63,19 @@ std::size_t twin_entry(const std::array<std::uint32_t, Dim>& local, std::size_t 
 template <int Dim>
 void StarLinker<Dim>::substitute(Complex<Dim>& complex, Cavity<Dim>& cavity, Vertex v) {
   try {
-    plan(complex, cavity);
+    make_room(complex, cavity);
   } catch (...) {
     cavity.release(complex);
     throw;
   }
+  plan(complex, cavity);
   const std::size_t num_vertices = num_link_vertices<Dim>(cavity.num_facets());
-  if (num_vertices <= 32) {
+  if (num_vertices <= kShortRow) {
     number_vertices(complex);
-    write_by_table<5>(complex, v);
-  } else if (num_vertices <= 256) {
+    write_by_table<kLogShortRow>(complex, v);
+  } else if (num_vertices <= kLongRow) {
     number_vertices(complex);
-    write_by_table<8>(complex, v);
+    write_by_table<kLogLongRow>(complex, v);
   } else {
     write_by_sorting(complex, v);
   }
@@ -76,14 +83,30 @@ void StarLinker<Dim>::substitute(Complex<Dim>& complex, Cavity<Dim>& cavity, Ver
   for (std::size_t i = cavity.num_facets(); i < cavity.num_simplices(); ++i) complex.release(cavity.simplex(i));
 }
 
+// All that needs memory, before anything is changed.
+template <int Dim>
+void StarLinker<Dim>::make_room(Complex<Dim>& complex, Cavity<Dim>& cavity) {
+  const std::size_t num_facets = cavity.num_facets();
+  const std::size_t reused = std::min(num_facets, cavity.num_simplices());
+  cavity.star_.resize(num_facets);
+  planned_.resize(num_facets);
+  complex.reserve(num_facets - reused);
+  complex.reserve_release(cavity.num_simplices() - reused);
+  const std::size_t num_vertices = num_link_vertices<Dim>(num_facets);
+  if (num_vertices <= kShortRow) {
+    table_.resize(kShortRow * kShortRow);
+  } else if (num_vertices <= kLongRow) {
+    table_.resize(kLongRow * kLongRow);
+  } else {
+    sides_.reserve(num_facets * Dim);
+  }
+}
+
 // Chooses the slots and copies the facets out of the records that are about to be overwritten.
 template <int Dim>
 void StarLinker<Dim>::plan(Complex<Dim>& complex, Cavity<Dim>& cavity) {
   const std::size_t num_facets = cavity.num_facets();
-  cavity.star_.resize(num_facets);
-  planned_.resize(num_facets);
   const std::size_t reused = std::min(num_facets, cavity.num_simplices());
-  complex.reserve(num_facets - reused);
   for (std::size_t i = 0; i < reused; ++i) cavity.star_[i] = cavity.members_[i] / kCorners;
   for (std::size_t i = reused; i < num_facets; ++i) cavity.star_[i] = complex.allocate().index();
 
@@ -137,7 +160,6 @@ void StarLinker<Dim>::write(Complex<Dim>& complex, const Planned& planned, Verte
 template <int Dim>
 template <int kLogRow>
 void StarLinker<Dim>::write_by_table(Complex<Dim>& complex, Vertex v) {
-  table_.resize(std::size_t{1} << (2 * kLogRow));
   std::uint32_t* const table = table_.data();
   for (const Planned& planned : planned_) {
     const std::uint32_t shifted = shift<Dim>(planned.corner);

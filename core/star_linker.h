@@ -41,6 +41,7 @@ class StarLinker {
     std::uint32_t half_facet;
   };
 
+  void make_room(Complex<Dim>& complex, Cavity<Dim>& cavity);
   void plan(Complex<Dim>& complex, Cavity<Dim>& cavity);
   void number_vertices(Complex<Dim>& complex);
   template <int kLogRow>

@@ -117,7 +117,13 @@ auto Triangulation<Dim>::insert(const Point<Dim>& p, Engine engine, Simplex hint
 
 template <int Dim>
 Vertex Triangulation<Dim>::substitute_star(Cavity<Dim>& cavity, const Point<Dim>& x) {
-  const Vertex v = complex_.add_vertex(x);
+  Vertex v;
+  try {
+    v = complex_.add_vertex(x);
+  } catch (...) {
+    release(cavity);
+    throw;
+  }
   try {
     linker_.substitute(complex_, cavity, v);
   } catch (...) {

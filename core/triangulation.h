@@ -77,6 +77,8 @@ class Triangulation {
   /// @param p  in the units of the input; rounded to the grid of the gate.
   /// @throws InputError if p is not finite, or has a coordinate beyond the gate: not below the first power of
   ///         two above all |coordinates| of the input.
+  /// @throws CapacityError, std::bad_alloc. Nothing has changed then, but by flips, which may leave a
+  ///         triangulation that is not Delaunay yet.
   Insertion insert(const Point<Dim>& p, Engine engine = Engine::star, Simplex hint = {});
 
   /// Removes a vertex: the complex is then that of the other points. The vertex keeps its id and coordinates
@@ -86,7 +88,8 @@ class Triangulation {
   /// @return the simplices that have taken the place of its star, ghosts included; valid until the next call.
   /// Cost: about that of inserting the vertices of its link (vertex_remover.h).
   /// @throws InputError      if v is no vertex, or in no simplex.
-  /// @throws DegenerateInput if all other points lie in one hyperplane. Nothing has changed then.
+  /// @throws DegenerateInput if all other points lie in one hyperplane. Nothing has changed then, nor if memory
+  ///         runs out.
   const std::vector<Simplex>& remove(Vertex v);
   /// What remove() would put in the place of the star of v, as corners, ghosts included; changes nothing. Valid
   /// until the next call of either; empty if remove() would throw DegenerateInput. Costs as much.
@@ -107,6 +110,7 @@ class Triangulation {
   void release(const Cavity<Dim>& cavity) { cavity.release(complex_); }
   /// Replaces the prestar of x by its star. Requires that the cavity is the whole prestar, and that x is no
   /// vertex.
+  /// @throws CapacityError, std::bad_alloc; the prestar is then released and the triangulation as before.
   Vertex substitute_star(Cavity<Dim>& cavity, const Point<Dim>& x);
   /// The same for a vertex that is in no simplex: it comes back, at x.
   void substitute_star(Cavity<Dim>& cavity, const Point<Dim>& x, Vertex v);

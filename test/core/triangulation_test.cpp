@@ -342,6 +342,20 @@ TYPED_TEST(Triangulations, CompactKeepsTheComplexAndTheIds) {
   }
 }
 
+TYPED_TEST(Triangulations, CompactKeepsTheSimplexInTheFirstSlot) {
+  constexpr int Dim = TypeParam::value;
+  Triangulation<Dim> triangulation(full_grid<Dim>(3));
+  triangulation.compact();
+  const auto hash = triangulation.hash();
+  auto& complex = triangulation.mutable_complex();
+  complex.reserve(1);
+  complex.release(complex.allocate());
+  ASSERT_TRUE(complex.is_alive(Simplex(0)));
+  triangulation.compact();
+  EXPECT_TRUE(triangulation.validate().ok()) << triangulation.validate();
+  EXPECT_EQ(triangulation.hash(), hash);
+}
+
 // -- the hash
 
 TYPED_TEST(Triangulations, HashDependsOnEveryCornerAndOnNoOrder) {

@@ -101,6 +101,24 @@ TEST(Output, AFullDevice) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
+// As a shell writes it for `-o >(gzip)`.
+TEST(Output, APipeByTheNumberOfItsDescriptor) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const std::string path = "/dev/fd/" + std::to_string(ends[1]);
+  const TemporaryFolder folder;
+  write_mesh(folder.path("a.vtk"), sample_mesh());
+  const std::string expected = folder.read("a.vtk");
+  EXPECT_EQ(refusal(path, sample_mesh(), Format::vtk), "written");
+  std::string found(expected.size(), ' ');
+  EXPECT_EQ(read(ends[0], found.data(), found.size()), static_cast<ssize_t>(found.size()));
+  EXPECT_EQ(found, expected);
+  close(ends[0]);
+  EXPECT_THAT(refusal(path, sample_mesh(), Format::vtk),
+              HasSubstr("the program that reads the output has ended"));
+  close(ends[1]);
+}
+
 // One of TetGen's three cannot be written: then none is, and what was there stays.
 TEST(Output, SeveralFilesAllOrNone) {
   for (const char* blocked : {"a.node", "a.ele", "a.face"}) {

@@ -24,17 +24,33 @@ inline Surface3 sample_surface() {
   return {sample_points(), {{{0, 2, 1}}, {{0, 1, 3}}, {{0, 3, 2}}, {{1, 2, 3}}}};
 }
 
-inline Mesh3 sample_mesh() {
-  Mesh3 mesh;
-  mesh.points = sample_points();
-  mesh.points.push_back({0.5, 0.5, 2});
-  mesh.simplices = {{0, 1, 2, 3}, {1, 2, 3, 4}};
-  mesh.boundary = {{0, 2, 1}, {0, 1, 3}};
+template <int Dim = 3>
+Mesh<Dim> sample_mesh() {
+  Mesh<Dim> mesh;
+  if constexpr (Dim == 3) {
+    mesh.points = sample_points();
+    mesh.points.push_back({0.5, 0.5, 2});
+    mesh.simplices = {{0, 1, 2, 3}, {1, 2, 3, 4}};
+    mesh.boundary = {{0, 2, 1}, {0, 1, 3}};
+  } else {
+    mesh.points = {{0, 0}, {1, 0}, {0, 1.5}, {-0.25, 1}};
+    mesh.simplices = {{0, 1, 2}, {0, 2, 3}};
+    mesh.boundary = {{0, 1}, {1, 2}};
+  }
   mesh.simplex_fields.push_back({"label", {7, -3}});
   return mesh;
 }
 
 inline Surface2 sample_polygon() { return {{{0, 0}, {1, 0}, {0, 1.5}}, {{{0, 1}}, {{1, 2}}, {{2, 0}}}}; }
+
+/// The same with all that a .poly file can say.
+inline Surface2 sample_regions() {
+  Surface2 surface = sample_polygon();
+  surface.points.push_back({5, 5});
+  surface.facet_tags = {4, 5, -6};
+  surface.seeds = {{{3, 3}}, {{{0.25, 0.25}, 2}}};
+  return surface;
+}
 
 /// Bytes of numbers, in either order.
 class Bytes {

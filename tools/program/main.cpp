@@ -3,10 +3,11 @@
 // The program `sinkmesh`: parses the command line, calls the library, prints.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -90,8 +91,9 @@ ExitStatus run_program(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    program.exit(help);
-    print("");
+    std::ostringstream text;
+    program.exit(help, text);
+    print(text.str());
     return ExitStatus::done;
   } catch (const CLI::ParseError& error) {
     return wrong_usage(chosen() == nullptr ? nullptr : chosen()->app, error.what());
@@ -113,14 +115,43 @@ ExitStatus run_program(int argc, char** argv) {
   }
 }
 
-ExitStatus run_guarded(int argc, char** argv) {
+ExitStatus run_reporting(int argc, char** argv) {
   try {
     return run_program(argc, argv);
   } catch (const FileError& error) {
     return fail(ExitStatus::unusable_input, error.what());
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     return fail(ExitStatus::internal_error, std::string("sinkmesh: internal error: ") + error.what() +
                                                 "; please report it, with the command line and the input");
+  }
+}
+
+ExitStatus out_of_memory() {
+  // Nor is there any to say it in other words.
+  print("sinkmesh: not enough memory; use a smaller input, or --max-vertices\n", true);
+  return ExitStatus::unusable_input;
+}
+
+// The destructor of a JSON value needs memory, too, and ends the program where there is none.
+[[noreturn]] void terminate() {
+  try {
+    if (std::current_exception() != nullptr) throw;
+  } catch (const std::bad_alloc&) {
+    std::_Exit(static_cast<int>(out_of_memory()));
+  } catch (...) {
+    // an error in the program
+  }
+  std::abort();
+}
+
+ExitStatus run_guarded(int argc, char** argv) {
+  std::set_terminate(terminate);
+  try {
+    return run_reporting(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return out_of_memory();
   }
 }
 

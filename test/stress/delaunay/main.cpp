@@ -13,6 +13,8 @@ int main(int argc, char** argv) {
   suites.push_back(make_oracle_suite<3>());
   suites.push_back(make_insertion_suite<2>());
   suites.push_back(make_insertion_suite<3>());
+  suites.push_back(make_calls_suite<2>());
+  suites.push_back(make_calls_suite<3>());
   suites.push_back(make_hull_suite<2>());
   suites.push_back(make_hull_suite<3>());
   suites.push_back(make_order_suite<2>());

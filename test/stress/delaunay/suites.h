@@ -18,6 +18,11 @@ std::unique_ptr<Suite> make_oracle_suite();
 template <int Dim>
 std::unique_ptr<Suite> make_insertion_suite();
 
+/// Insertions, removals, locations, copies and looks at prestars in any order, with every invariant checked
+/// after each, and the complex that of the points that are left.
+template <int Dim>
+std::unique_ptr<Suite> make_calls_suite();
+
 /// Integer points: volumes and hull by integers.
 template <int Dim>
 std::unique_ptr<Suite> make_hull_suite();

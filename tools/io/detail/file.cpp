@@ -4,6 +4,7 @@
 #include "tools/io/detail/file.h"
 
 #include <pthread.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -106,7 +107,10 @@ fs::path followed(fs::path path) {
   constexpr int kMostLinks = 40;  // as the system has it; a circle then fails when it is opened
   std::error_code error;
   for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
-    path = path.parent_path() / fs::read_symlink(path, error);
+    const fs::path next = path.parent_path() / fs::read_symlink(path, error);
+    // A descriptor of a pipe in /dev/fd is a link that can be opened, but leads to no name.
+    if (fs::exists(path, error) && !fs::exists(next, error)) break;
+    path = next;
   }
   return path;
 }
@@ -162,10 +166,10 @@ OutputFile::OutputFile(const std::string& path) : name_(output_name(path)) {
   static std::atomic<unsigned> counter{0};
   for (int attempt = 0; stream_ == nullptr; ++attempt) {
     const std::string file = concat(".sinkmesh-", getpid(), "-", counter++, ".tmp");
-    const std::string candidate = (target.parent_path() / file).string();
+    std::string candidate = (target.parent_path() / file).string();
     stream_ = std::fopen(candidate.c_str(), "wbx");
     if (stream_ != nullptr) {
-      temporary_ = candidate;
+      temporary_ = std::move(candidate);  // from here on nothing may throw: there is no destructor yet
     } else if (errno != EEXIST || attempt == 1000) {
       fail("cannot create it", errno);
     }
@@ -193,14 +197,16 @@ void OutputFile::finish(std::string_view bytes) {
   if (!closed) fail("cannot write it", errno);
 }
 
+// Takes no memory, so that of several files all are published, or none: those that are finished.
 void OutputFile::publish() {
   if (temporary_.empty()) return;
-  std::error_code error;
   // A file that is replaced keeps its permissions.
-  const fs::file_status before = fs::status(target_, error);
-  if (fs::exists(before)) fs::permissions(temporary_, before.permissions(), error);
-  fs::rename(temporary_, target_, error);
-  if (error) fail("cannot give the finished file its name", error.value());
+  struct stat before {};
+  constexpr mode_t kPermissions = 07777;
+  if (stat(target_.c_str(), &before) == 0) chmod(temporary_.c_str(), before.st_mode & kPermissions);
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    fail("cannot give the finished file its name", errno);
+  }
   temporary_.clear();
 }
 
