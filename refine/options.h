@@ -171,7 +171,7 @@ enum class LeftoverReason : std::uint8_t {
   untried,         ///< the run ended before, or it came when points had been moved
   boundary,        ///< a point for it was rejected for this reason ...
   crossing,
-  separation,
+  separation,  ///< or its shortest edge is at the floor, below which no edge is made shorter
   omega,  ///< flows to the outside only
 };
 inline constexpr std::array kLeftoverReasons = {LeftoverReason::small_angle, LeftoverReason::boundary_facet,

@@ -183,8 +183,10 @@ bool Refiner<Dim>::has_fallback() const {
 template <int Dim>
 typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s, bool is_fixed) {
   using Reason = typename Leftover<Dim>::Reason;
-  if (inserter_.is_excused(s) || inserter_.sharp_corner(s) >= 0) return Reason::small_angle;
-  if (is_fixed && boundary_ != nullptr && inserter_.rung(s)) return Reason::small_angle;
+  if (inserter_.sharp_corner(s) >= 0) return Reason::small_angle;
+  const bool is_excused = inserter_.is_excused(s);
+  if ((is_excused || is_fixed) && boundary_ != nullptr && inserter_.rung(s)) return Reason::small_angle;
+  if (is_excused) return Reason::separation;  // its shortest edge is at the floor
   if (!is_fixed && !inserter_.is_hopeless(s)) return Reason::untried;
   const double max_ratio2 = options_.max_ratio * options_.max_ratio;
   for (int i = 0; i <= Dim; ++i) {

@@ -157,6 +157,13 @@ class Plane(ProgramTest):
                 self.assertNotIn("valid       yes", told)
                 self.assertEqual([defect["kind"] for defect in self.report()["defects"]], ["bounds nothing"])
 
+    def test_an_edge_at_the_floor_is_no_small_angle(self):
+        source = self.write("in.poly", "5 2 0 0\n1 0 0\n2 1e-9 0\n3 1 0\n4 1 1\n5 0 1\n5 0\n"
+                            "1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 1\n")
+        report = self.refine(source, "--boundary", "refine")
+        self.assertGreater(report["remaining"]["total"], 0)
+        self.assertEqual(report["remaining"]["separation"], report["remaining"]["total"])
+
     def test_points_that_rounding_puts_on_a_line(self):
         source = self.write("in.poly", "4 2 0 0\n1 0 0\n2 1e-200 0\n3 1e-200 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n")
         line = self.fail_with_one_line(1, "refine", source, "-o", self.path("out.vtu"))
