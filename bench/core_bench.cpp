@@ -49,7 +49,7 @@ void BM_Delaunay(benchmark::State& state) {
       ->Range(1000, largest)                       \
       ->Unit(benchmark::kMillisecond)              \
       ->Complexity(benchmark::oNLogN)
-SWEEP(3, uniform_cube, star, 1000000);
+SWEEP(3, uniform_cube, star, 10000000);
 SWEEP(3, rounded_sphere, star, 100000);
 SWEEP(3, paraboloid, star, 100000);
 SWEEP(3, open_cylinder, star, 100000);
