@@ -172,7 +172,7 @@ enum class LeftoverReason : std::uint8_t {
   boundary,        ///< a point for it was rejected for this reason ...
   crossing,
   separation,  ///< or its shortest edge is at the floor, below which no edge is made shorter
-  omega,  ///< flows to the outside only
+  omega,       ///< flows to the outside only
 };
 inline constexpr std::array kLeftoverReasons = {LeftoverReason::small_angle, LeftoverReason::boundary_facet,
                                                 LeftoverReason::untried,     LeftoverReason::boundary,
