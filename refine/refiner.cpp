@@ -185,9 +185,11 @@ typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s, bool is_fixed
   using Reason = typename Leftover<Dim>::Reason;
   if (inserter_.sharp_corner(s) >= 0) return Reason::small_angle;
   const bool is_excused = inserter_.is_excused(s);
-  if ((is_excused || is_fixed) && boundary_ != nullptr && inserter_.rung(s)) return Reason::small_angle;
-  if (is_excused) return Reason::separation;  // its shortest edge is at the floor
-  if (!is_fixed && !inserter_.is_hopeless(s)) return Reason::untried;
+  const bool has_reason = is_excused && !inserter_.is_at_floor(s);
+  if (has_reason || (boundary_ != nullptr && (is_excused || is_fixed) && inserter_.rung(s))) {
+    return Reason::small_angle;
+  }
+  if (!is_excused && !is_fixed && !inserter_.is_hopeless(s)) return Reason::untried;
   const double max_ratio2 = options_.max_ratio * options_.max_ratio;
   for (int i = 0; i <= Dim; ++i) {
     const HalfFacet h = Complex<Dim>::half_facet(s, i);
@@ -196,6 +198,7 @@ typename Leftover<Dim>::Reason Refiner<Dim>::reason_for(Simplex s, bool is_fixed
       return Reason::boundary_facet;
     }
   }
+  if (is_excused) return Reason::separation;
   std::array<bool, 5> met{};
   const auto meet = [&](Simplex center) {
     met[static_cast<std::size_t>(inserter_.rejection(center))] = true;

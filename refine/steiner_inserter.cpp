@@ -116,13 +116,23 @@ void SteinerInserter<Dim>::for_each_shortest_edge(Simplex s, double shortest2, V
   }
 }
 
+// Below a ratio of 2 a point on a segment may be nearer than the edge is long.
+template <int Dim>
+double SteinerInserter<Dim>::least_length2() const {
+  const double least = rules_.floor * std::max(1.0, 2 / std::sqrt(max_ratio2_));
+  return least * least;
+}
+
+template <int Dim>
+bool SteinerInserter<Dim>::is_at_floor(Simplex s) const {
+  return shape<Dim>(complex().corners(s)).shortest2 <= least_length2();
+}
+
 // The square of L [BR, 6].
 template <int Dim>
 double SteinerInserter<Dim>::relaxed_length2(Simplex s, double shortest2) const {
   if (rules_.features == nullptr) return shortest2;
-  // Below a ratio of 2 a point on a segment may be nearer than the edge is long.
-  const double least = rules_.floor * std::max(1.0, 2 / std::sqrt(max_ratio2_));
-  double length2 = std::max(shortest2, least * least);
+  double length2 = std::max(shortest2, least_length2());
   for_each_shortest_edge(s, shortest2, [&](Vertex p, Vertex q) {
     length2 = std::max(length2, rules_.features->vertex(std::max(p, q)).relaxed2);
     if (const auto rung = rules_.features->rung(p, q, rules_.lambda)) length2 = std::max(length2, rung->reach2);

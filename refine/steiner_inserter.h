@@ -106,6 +106,8 @@ class SteinerInserter {
   bool is_low_quality(Simplex s) const { return notes_[s.index()] & kLow; }
   /// Of low quality, but left alone, because a small angle of the surface is the reason. Not if that is fixed.
   bool is_excused(Simplex s) const { return notes_[s.index()] & kExcused; }
+  /// Whether it would be excused by the floor alone: its shortest edge does not count as shorter.
+  bool is_at_floor(Simplex s) const;
   /// Judges anew who is excused.
   void set_lambda(double lambda);
   /// The square of L: see the constructor; of a fixed boundary the shortest edge itself.
@@ -233,6 +235,7 @@ class SteinerInserter {
   template <class Visit>
   void for_each_shortest_edge(Simplex s, double shortest2, Visit&& visit) const;
   double relaxed_length2(Simplex s, double shortest2) const;
+  double least_length2() const;
   bool is_excused_by_angle(Simplex s, const Shape& shape) const;
 
   Triangulation<Dim>* triangulation_;
