@@ -48,8 +48,9 @@ enum class Fallback : std::uint8_t {
 enum class BoundaryMode : std::uint8_t {
   automatic,  ///< fixed if the surface is stable as given, else refine
   fixed,      ///< kept as given; what is not stable is peeled off [EG01, 5.1]
-  /// Divided where that is needed: to be Delaunay, to be stable, and for quality. A surface that is all that as
-  /// given is left alone if dividing it would leave more simplices of low quality.
+  /// Divided where that is needed: to be Delaunay, to be stable, and for quality. A surface that is stable as
+  /// given, with every circumcenter inside and no simplex flat on it, is kept if dividing it would leave more
+  /// simplices of low quality.
   refine,
 };
 

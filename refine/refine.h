@@ -41,8 +41,8 @@ class SurfaceMesher {
   RefineResult refine(const RefineOptions& options);
 
   /// After refine(): takes points away and moves others, as far as the options ask for it; obeys the budgets.
-  /// Makes no simplex of low quality, keeps the boundary and all vertices on it, the Delaunay property,
-  /// stability, and the shortest edge. Can be called again.
+  /// Lets neither the number of simplices of low quality nor the largest r/l grow; keeps the boundary and all
+  /// vertices on it, the Delaunay property, stability, and the shortest edge. Can be called again.
   /// @throws InputError as refine() does.
   Improvement improve(const RefineOptions& options);
 

@@ -440,7 +440,7 @@ CLI::App* add_refine_command(CLI::App& program, RefineArguments& arguments) {
   command->add_flag(
       "--slivers", arguments.slivers,
       "After refining, move inner points until angles are large enough; the mesh stays Delaunay, the "
-      "boundary as it is, and r/l within its bound");
+      "boundary as it is, and no more simplices of low quality");
   command
       ->add_option(
           "--min-dihedral", arguments.min_dihedral,
