@@ -32,6 +32,9 @@ class Retriangulator {
   const std::vector<Simplex>& replace(Complex<Dim>& complex, std::span<const Simplex> old,
                                       std::span<const Corners> fresh);
 
+  /// The simplices that the last call has put in.
+  const std::vector<Simplex>& created() const { return created_; }
+
  private:
   /// A half-facet that has no mate yet, with the slots of its vertices in order.
   struct Open {

@@ -24,8 +24,7 @@ bool VertexRemover<Dim>::plan(const Complex<Dim>& complex, const Predicates<Dim>
 template <int Dim>
 bool VertexRemover<Dim>::remove(Complex<Dim>& complex, const Predicates<Dim>& predicates, Vertex v) {
   if (!plan(complex, predicates, v)) return false;
-  created_.reserve(fresh_.size());  // nothing may fail once the star is replaced
-  created_ = retriangulator_.replace(complex, star_, fresh_);
+  retriangulator_.replace(complex, star_, fresh_);
   complex.set_incident(v, Simplex());
   return true;
 }

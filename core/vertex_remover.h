@@ -36,7 +36,7 @@ class VertexRemover {
   /// The corners of the simplices that the last plan, or removal, has found, ghosts included.
   std::span<const typename Retriangulator<Dim>::Corners> planned() const { return fresh_; }
   /// The simplices that the last removal has put in, ghosts included.
-  const std::vector<Simplex>& created() const { return created_; }
+  const std::vector<Simplex>& created() const { return retriangulator_.created(); }
 
  private:
   void collect_star(const Complex<Dim>& complex, Vertex v);
@@ -55,7 +55,6 @@ class VertexRemover {
   Cavity<Dim> cavity_;
   StarLinker<Dim> linker_;
   std::vector<typename Retriangulator<Dim>::Corners> fresh_;
-  std::vector<Simplex> created_;
 };
 
 extern template class VertexRemover<2>;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "refine/angles.h"
 
-#include <functional>
 #include <numbers>
 
 #include "core/vector.h"
@@ -83,9 +82,11 @@ void AngleCensus::add(const Corners<Dim>& corners, bool is_inner) {
   double largest = -HUGE_VAL;
   for (const double c : cotangents2<Dim>(corners)) {
     largest = std::max(largest, c);
-    // The first end that is not above the angle: bins hold their lower ends.
-    const auto end = std::upper_bound(ends_.begin(), ends_.end(), c, std::greater<>());
-    ++histogram_[static_cast<std::size_t>(end - ends_.begin())];
+    // The number of ends that are not above the angle: bins hold their lower ends. Counted, not searched for:
+    // which way a search turns is a coin toss.
+    std::size_t bin = 0;
+    for (const double end : ends_) bin += end >= c ? 1 : 0;
+    ++histogram_[bin];
   }
   for (std::size_t i = 0; i < small_.size(); ++i) {
     const std::size_t is_below = largest > small_[i] ? 1 : 0;

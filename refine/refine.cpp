@@ -87,6 +87,9 @@ struct SurfaceMesher<Dim>::State {
     return v.index() >= used.points.size() && triangulation.complex().incident_simplex(v).is_null();
   }
   std::vector<std::int64_t> parents_of(std::span<const HalfFacet> walls) const;
+  std::vector<std::uint32_t> mesh_ids() const;
+  template <class Listed>
+  std::vector<Listed> in_mesh(std::vector<Listed> list) const;
 
   std::vector<std::int64_t> facet_tags;
   Seeds<Dim> seeds;
@@ -370,22 +373,12 @@ void SurfaceMesher<Dim>::State::require_no_crossing() const {
 
 template <int Dim>
 std::vector<Leftover<Dim>> SurfaceMesher<Dim>::leftovers() const {
-  const std::vector<std::uint32_t> ids = mesh_ids();
-  std::vector<Leftover<Dim>> result = state_->leftovers;
-  for (Leftover<Dim>& leftover : result) {
-    for (std::uint32_t& v : leftover.corners) v = ids[v];
-  }
-  return result;
+  return state_->in_mesh(state_->leftovers);
 }
 
 template <int Dim>
 std::vector<Sliver<Dim>> SurfaceMesher<Dim>::slivers() const {
-  const std::vector<std::uint32_t> ids = mesh_ids();
-  std::vector<Sliver<Dim>> result = state_->slivers;
-  for (Sliver<Dim>& sliver : result) {
-    for (std::uint32_t& v : sliver.corners) v = ids[v];
-  }
-  return result;
+  return state_->in_mesh(state_->slivers);
 }
 
 template <int Dim>
@@ -396,11 +389,22 @@ std::size_t SurfaceMesher<Dim>::num_unused_points() const {
 // Ids of the complex to ids of the mesh, which has no removed vertices. Points of the surface are never
 // removed.
 template <int Dim>
-std::vector<std::uint32_t> SurfaceMesher<Dim>::mesh_ids() const {
-  std::vector<std::uint32_t> ids(state_->triangulation.complex().num_vertices());
+std::vector<std::uint32_t> SurfaceMesher<Dim>::State::mesh_ids() const {
+  std::vector<std::uint32_t> ids(triangulation.complex().num_vertices());
   std::uint32_t next = 0;
-  for (std::uint32_t v = 0; v < ids.size(); ++v) ids[v] = state_->is_removed(Vertex(v)) ? kNoPoint : next++;
+  for (std::uint32_t v = 0; v < ids.size(); ++v) ids[v] = is_removed(Vertex(v)) ? kNoPoint : next++;
   return ids;
+}
+
+// Simplices whose corners are vertices, with the points of the mesh instead.
+template <int Dim>
+template <class Listed>
+std::vector<Listed> SurfaceMesher<Dim>::State::in_mesh(std::vector<Listed> list) const {
+  const std::vector<std::uint32_t> ids = mesh_ids();
+  for (Listed& listed : list) {
+    for (std::uint32_t& v : listed.corners) v = ids[v];
+  }
+  return list;
 }
 
 template <int Dim>
@@ -452,7 +456,7 @@ std::uint64_t SurfaceMesher<Dim>::hash() const {
 template <int Dim>
 Mesh<Dim> SurfaceMesher<Dim>::mesh() const {
   const Complex<Dim>& complex = state_->triangulation.complex();
-  const std::vector<std::uint32_t> id = mesh_ids();
+  const std::vector<std::uint32_t> id = state_->mesh_ids();
   Mesh<Dim> mesh;
   mesh.points.reserve(id.size());
   for (std::uint32_t v = 0; v < id.size(); ++v) {

@@ -76,8 +76,6 @@ class SurfaceMesher {
   std::size_t bytes() const;
 
  private:
-  std::vector<std::uint32_t> mesh_ids() const;
-
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -16,15 +16,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kDegree = 0x1.1df46a2529d39p-6;
-
-template <int Dim>
-Corners<Dim> pointers(const std::array<Point<Dim>, Dim + 1>& points) {
-  Corners<Dim> corners;
-  for (std::size_t i = 0; i <= Dim; ++i) corners[i] = &points[i];
-  return corners;
-}
-
 // The angle at a between b and c; of the edge ab between the facets with c and d.
 double angle_at(const Point2& a, const Point2& b, const Point2& c) {
   return std::atan2(std::abs(cross(b - a, c - a)), dot(b - a, c - a)) / kDegree;

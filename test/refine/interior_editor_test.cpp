@@ -25,22 +25,7 @@ template <int Dim>
 Surface<Dim> cut_box() {
   Surface<Dim> s;
   if constexpr (Dim == 2) {
-    add_polygon(s, {{0, 0},
-                    {1, 0},
-                    {2, 0},
-                    {3, 0},
-                    {4, 0},
-                    {4, 1},
-                    {4, 2},
-                    {4, 3},
-                    {4, 4},
-                    {3, 4},
-                    {2, 4},
-                    {1, 4},
-                    {0, 4},
-                    {0, 3},
-                    {0, 2},
-                    {0, 1}});
+    add_polygon(s, square_outline());
     s.points.insert(s.points.end(), {{2, 1}, {2, 2}, {2, 3}});
     s.facets.insert(s.facets.end(), {{2, 16}, {16, 17}, {17, 18}, {18, 10}});
   } else {

@@ -7,17 +7,14 @@
 #include <cmath>
 #include <random>
 
+#include "test/support/point_sets.h"
+
 namespace sinkmesh {
 namespace {
 
-const std::array<Point3, 4> kRegular = {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+using test::pointers;
 
-template <int Dim>
-Corners<Dim> pointers(const std::array<Point<Dim>, Dim + 1>& points) {
-  Corners<Dim> corners;
-  for (std::size_t i = 0; i <= Dim; ++i) corners[i] = &points[i];
-  return corners;
-}
+const std::array<Point3, 4> kRegular = {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
 
 TEST(Quality, RegularTetrahedronHasTheSmallestRatio) {
   const Shape s = shape<3>(pointers<3>(kRegular));

@@ -145,17 +145,8 @@ TYPED_TEST(SelfIntersections, DoNotDependOnTheOrderOfPointsFacetsAndCorners) {
   constexpr int kDim = TypeParam::value;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Surface<kDim> surface = random_soup<kDim>(Kind::grid, seed);
-    std::mt19937_64 random(seed);
-    std::vector<std::uint32_t> place(surface.points.size());
-    for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
-    std::shuffle(place.begin(), place.end(), random);
-    Surface<kDim> other = surface;
-    for (std::size_t i = 0; i < place.size(); ++i) other.points[place[i]] = surface.points[i];
-    for (auto& facet : other.facets) {
-      for (std::uint32_t& v : facet) v = place[v];
-      std::shuffle(facet.begin(), facet.end(), random);
-    }
-    std::shuffle(other.facets.begin(), other.facets.end(), random);
+    test::Random random(seed);
+    const Surface<kDim> other = test::in_another_order(surface, random);
     EXPECT_EQ(in_coordinates(surface), in_coordinates(other)) << "seed " << seed;
   }
 }

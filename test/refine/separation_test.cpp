@@ -53,22 +53,7 @@ std::vector<Surface2> surfaces<2>() {
   };
   result.push_back(curve(60, 0, 0.3));
   result.push_back(curve(150, 5, 1));
-  Surface2 square = polygon({{0, 0},
-                             {1, 0},
-                             {2, 0},
-                             {3, 0},
-                             {4, 0},
-                             {4, 1},
-                             {4, 2},
-                             {4, 3},
-                             {4, 4},
-                             {3, 4},
-                             {2, 4},
-                             {1, 4},
-                             {0, 4},
-                             {0, 3},
-                             {0, 2},
-                             {0, 1}});
+  Surface2 square = polygon(square_outline());
   result.push_back(square);
   // A ring: parity makes the hole.
   Surface2 ring = curve(80, 0, 1);

@@ -16,15 +16,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kDegree = 0x1.1df46a2529d39p-6;
-
-template <int Dim>
-Corners<Dim> pointers(const std::array<Point<Dim>, Dim + 1>& points) {
-  Corners<Dim> corners;
-  for (std::size_t i = 0; i <= Dim; ++i) corners[i] = &points[i];
-  return corners;
-}
-
 // Isosceles, with this angle in degrees at its apex.
 std::int64_t cost_of_angle(const SliverCost<2>& cost, double degrees) {
   const double half = degrees / 2 * kDegree;

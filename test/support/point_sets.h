@@ -14,6 +14,17 @@
 
 namespace sinkmesh::test {
 
+/// One degree in radians.
+inline constexpr double kDegree = 0x1.1df46a2529d39p-6;
+
+/// The corners of a simplex, as the library takes them.
+template <int Dim>
+Corners<Dim> pointers(const std::array<Point<Dim>, Dim + 1>& points) {
+  Corners<Dim> corners;
+  for (std::size_t i = 0; i <= Dim; ++i) corners[i] = &points[i];
+  return corners;
+}
+
 template <int Dim>
 struct PointSet {
   std::string name;

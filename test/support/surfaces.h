@@ -15,6 +15,12 @@
 
 namespace sinkmesh::test {
 
+/// The sides of a square of width 4, in pieces of length 1; counterclockwise from the origin.
+inline std::vector<Point2> square_outline() {
+  return {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1}, {4, 2}, {4, 3},
+          {4, 4}, {3, 4}, {2, 4}, {1, 4}, {0, 4}, {0, 3}, {0, 2}, {0, 1}};
+}
+
 /// Axis-parallel box, each side two triangles, outward.
 inline Surface3 box_surface(const Point3& low, const Point3& high) {
   Surface3 surface;
