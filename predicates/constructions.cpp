@@ -70,6 +70,23 @@ Point<Dim> vector_to_circumcenter(const Corners<Dim>& s, const PointArg<Dim>& y)
 }
 
 template <int Dim>
+double circumradius2(const Corners<Dim>& s) {
+  using namespace detail;
+  using P = FromFirstCorner<Dim>;
+  Vectors<P, FixedInt<kBits128>> vectors;
+  const int exponent = exact_vectors<P>(s, vectors);
+  const auto quotient = P::quotient(vectors);
+  if (quotient.d.sign() == 0) return HUGE_VAL;
+  const TwoTerms d = to_two_terms(quotient.d);
+  double radius2 = 0;
+  for (std::size_t k = 0; k < Dim; ++k) {
+    const double component = std::ldexp(divide(to_two_terms(quotient.y[k]), d).head, -exponent - 1);
+    radius2 += component * component;
+  }
+  return radius2;
+}
+
+template <int Dim>
 Point<Dim> facet_normal(const FacetCorners<Dim>& facet) {
   using namespace detail;
   Vectors<FacetVectors<Dim>, FixedInt<kBits128>> v;
@@ -91,6 +108,8 @@ template double power<2>(const Corners<2>&, const Point2&);
 template double power<3>(const Corners<3>&, const Point3&);
 template Point2 vector_to_circumcenter<2>(const Corners<2>&, const Point2&);
 template Point3 vector_to_circumcenter<3>(const Corners<3>&, const Point3&);
+template double circumradius2<2>(const Corners<2>&);
+template double circumradius2<3>(const Corners<3>&);
 template Point2 facet_normal<2>(const FacetCorners<2>&);
 template Point3 facet_normal<3>(const FacetCorners<3>&);
 

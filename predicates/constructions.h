@@ -22,6 +22,11 @@ double power(const Corners<Dim>& s, const PointArg<Dim>& y);
 template <int Dim>
 Point<Dim> vector_to_circumcenter(const Corners<Dim>& s, const PointArg<Dim>& y);
 
+/// The squared circumradius of a simplex: relative error below 2^-49, however flat it is; infinite if the
+/// volume is 0. Requires points that passed the input gate.
+template <int Dim>
+double circumradius2(const Corners<Dim>& s);
+
 /// A normal of a facet whose corners are counterclockwise seen from where it points: (b-a) x (c-a), in the
 /// plane the edge turned clockwise. Each coordinate has a relative error below 2^-52; so its sign is exact, and
 /// so is 0. Requires points that passed the input gate.

@@ -142,6 +142,26 @@ bool BoundaryFeatures<Dim>::has_corner(const Feature& feature, Vertex v) const {
 }
 
 template <int Dim>
+bool BoundaryFeatures<Dim>::is_sharp_at(std::uint32_t segment, Vertex end) const {
+  constexpr double kCosine2 = 0.25;  // of 60 degrees
+  const auto direction = [&](std::uint32_t s) {
+    const auto& ends = segments_[s].ends;
+    return complex_->point(ends[ends[0] == end ? 1 : 0]) - complex_->point(end);
+  };
+  const Point<Dim> along = direction(segment);
+  const auto is_near = [&](std::uint32_t other) {
+    if (other == segment || !has_corner({Kind::segment, other}, end)) return false;
+    const Point<Dim> way = direction(other);
+    const double product = dot(along, way);
+    return product > 0 && product * product > kCosine2 * dot(along, along) * dot(way, way);
+  };
+  return std::any_of(
+      segment_patches_[segment].begin(), segment_patches_[segment].end(), [&](std::uint32_t patch) {
+        return std::any_of(patches_[patch].segments.begin(), patches_[patch].segments.end(), is_near);
+      });
+}
+
+template <int Dim>
 std::vector<std::uint32_t> BoundaryFeatures<Dim>::patches_at(Vertex v) const {
   const Feature on = vertex(v).on;
   switch (on.kind) {

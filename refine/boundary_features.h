@@ -102,6 +102,8 @@ class BoundaryFeatures {
   double length(std::uint32_t segment) const;
   /// Whether a feature has v as a corner of its own.
   bool has_corner(const Feature& feature, Vertex v) const;
+  /// Whether a patch at the segment has an angle below 60 degrees at that end of it.
+  bool is_sharp_at(std::uint32_t segment, Vertex end) const;
   /// The patches that hold v.
   std::vector<std::uint32_t> patches_at(Vertex v) const;
   const std::vector<std::uint32_t>& patches_at_segment(std::uint32_t segment) const {

@@ -25,22 +25,17 @@ bool is_reachable(const Point<Dim>& p) {
   return std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) < 0x1p20; });
 }
 
-// Slightly more than 1, as the coordinates have it: keeps points apart that would be placed in one pattern. Far
-// below the 1 - cos(theta) by which a mirror image at an angle theta is better than the point itself.
-template <int Dim>
-double apart(const Point<Dim>& p) {
-  return 1 + std::ldexp(static_cast<double>(hash_point<Dim>(p) >> 11), -53 - 20);
-}
-
 }  // namespace
 
 template <int Dim>
 Conformer<Dim>::Conformer(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
-                          Boundary<Dim>& boundary, double lambda, double floor, bool projects)
+                          Boundary<Dim>& boundary, const Collars& collars, double lambda, double floor,
+                          bool projects)
     : triangulation_(&triangulation),
       domain_(&domain),
       flow_(&flow),
       boundary_(&boundary),
+      collars_(&collars),
       lambda_(lambda),
       floor2_(floor * floor),
       projects_(projects) {}
@@ -49,6 +44,7 @@ template <int Dim>
 void Conformer<Dim>::start() {
   if constexpr (Dim == 3) PatchTriangulation(*boundary_).flip_all();
   boundary_->sub_facets().for_each([this](SubFacet f) { enqueue(f); });
+  divide_at_collars();
 }
 
 template <int Dim>
@@ -170,128 +166,6 @@ Vertex Conformer<Dim>::culprit(SubFacet f) {
 }
 
 // ------------------------------------------------------------------------------------------------
-//  Where points go [BR, 5].
-
-// A power of two away from a corner at one end, so that pieces of segments that meet there at a small angle
-// become equally long and leave each other alone. Else where the culprit is nearest, if pieces of features that
-// run side by side may be the reason; not at a corner from which both come. Else the middle.
-template <int Dim>
-double Conformer<Dim>::split_position(const SubSegment& s, Vertex culprit) const {
-  const auto& features = boundary_->features();
-  const double tu = features.position(s.u, s.segment);
-  const double tv = features.position(s.v, s.segment);
-  const bool is_corner_u = tu == 0 || tu == 1;
-  const bool is_corner_v = tv == 0 || tv == 1;
-  if (is_corner_u != is_corner_v) {
-    const Vertex corner = is_corner_u ? s.u : s.v;
-    if (Dim == 2 || features.has_corner(features.vertex(culprit).on, corner)) {
-      const double length = features.length(s.segment);
-      const double shell = std::exp2(std::floor(std::log2(std::abs(tu - tv) * length * (2.0 / 3))));
-      return (is_corner_u ? tu : tv) == 0 ? shell / length : 1 - shell / length;
-    }
-  }
-  if (Dim == 3 && projects_ && !culprit.is_null() && features.is_on_boundary(culprit) &&
-      !boundary_->has_edge(s.u, s.v) && !(is_corner_u && comes_from(culprit, s.u)) &&
-      !(is_corner_v && comes_from(culprit, s.v))) {
-    const auto& ends = features.segments()[s.segment].ends;
-    const Point<Dim> along = complex().point(ends[1]) - complex().point(ends[0]);
-    const double t = dot(complex().point(culprit) - complex().point(ends[0]), along) / dot(along, along);
-    const auto [low, high] = std::minmax(tu, tv);
-    const double part = (t - low) / (high - low);
-    if (part > 0.2 && part < 0.8) return low + part * apart<Dim>(complex().point(culprit)) * (high - low);
-  }
-  return (tu + tv) / 2;
-}
-
-// Whether v lies on a patch that has the corner.
-template <int Dim>
-bool Conformer<Dim>::comes_from(Vertex v, Vertex corner) const {
-  const auto& features = boundary_->features();
-  const std::vector<std::uint32_t> patches = features.patches_at(v);
-  return std::any_of(patches.begin(), patches.end(), [&](std::uint32_t patch) {
-    return features.has_corner({Kind::patch, patch}, corner);
-  });
-}
-
-// The mirror image of q over a segment that its patch shares with that of f, in the plane of f [BR, Lemma 2].
-template <int Dim>
-std::optional<Point<Dim>> Conformer<Dim>::mirror_image(SubFacet f, Vertex q) const {
-  if constexpr (Dim == 2) {
-    return std::nullopt;
-  } else {
-    const auto& features = boundary_->features();
-    const std::uint32_t patch = boundary_->sub_facets()[f].owner;
-    const Point3& p = complex().point(q);
-    if (features.is_on_patch(q, patch)) return std::nullopt;
-    std::optional<std::uint32_t> nearest;
-    for (const std::uint32_t other : features.patches_at(q)) {
-      for (const std::uint32_t s : features.patches()[other].segments) {
-        const auto& at = features.patches_at_segment(s);
-        if (std::find(at.begin(), at.end(), patch) == at.end()) continue;
-        const auto key = [&](std::uint32_t x) {
-          const auto& e = features.segments()[x].ends;
-          return std::tuple(features.distance2(p, {Kind::segment, x}), complex().point(e[0]),
-                            complex().point(e[1]));
-        };
-        if (!nearest || key(s) < key(*nearest)) nearest = s;
-      }
-    }
-    if (!nearest) return std::nullopt;
-    const auto& ends = features.segments()[*nearest].ends;
-    const Point3& a = complex().point(ends[0]);
-    const Point3 along = complex().point(ends[1]) - a;
-    const double t = dot(p - a, along) / dot(along, along);
-    Point3 foot = a;
-    for (std::size_t k = 0; k < 3; ++k) foot[k] += t * along[k];
-    const Plane& plane = features.patches()[patch].plane;
-    Point3 out = cross(plane.normal, along);
-    Point3 middle{};
-    for (const Point3* corner : boundary_->corner_points(f)) {
-      for (std::size_t k = 0; k < 3; ++k) middle[k] += (*corner)[k] / 3;
-    }
-    const double sign = dot(middle - foot, out) > 0 ? 1 : -1;
-    if (sign * dot(p - foot, out) <= 0) return std::nullopt;  // no acute angle
-    // A little farther, or two such pairs would be the corners of a trapezoid: cocircular.
-    const double scale = sign * apart<3>(p) * std::sqrt(squared_distance(p, foot) / dot(out, out));
-    for (std::size_t k = 0; k < 3; ++k) foot[k] += scale * out[k];
-    return foot;
-  }
-}
-
-// As far from a corner as q is and as two corners of f are, in the plane of f [BR, Lemma 3].
-template <int Dim>
-std::optional<Point<Dim>> Conformer<Dim>::sphere_point(SubFacet f, Vertex q) const {
-  if constexpr (Dim == 2) {
-    return std::nullopt;
-  } else {
-    const auto& features = boundary_->features();
-    const auto& corners = boundary_->sub_facets()[f].corners;
-    const Plane& plane = features.patches()[boundary_->sub_facets()[f].owner].plane;
-    const Point3& p = complex().point(q);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vertex v = corners[k];
-      if (features.vertex(v).on.kind != Kind::corner || !features.has_corner(features.vertex(q).on, v))
-        continue;
-      const Point3& center = complex().point(v);
-      const double radius2 = squared_distance(p, center);
-      const auto is_equal = [&](Vertex u) {
-        return std::abs(squared_distance(complex().point(u), center) - radius2) <= 2e-6 * radius2;
-      };
-      if (!is_equal(corners[(k + 1) % 3]) || !is_equal(corners[(k + 2) % 3])) continue;
-      Point3 way = p - center;
-      const double height = dot(way, plane.normal);
-      for (std::size_t i = 0; i < 3; ++i) way[i] -= height * plane.normal[i];
-      const double length2 = dot(way, way);
-      if (length2 < radius2 / 4) continue;
-      Point3 x = center;
-      for (std::size_t i = 0; i < 3; ++i) x[i] += way[i] * std::sqrt(radius2 / length2);
-      return x;
-    }
-    return std::nullopt;
-  }
-}
-
-// ------------------------------------------------------------------------------------------------
 //  Insertions.
 
 // Against a culprit that was itself inserted because of another one: a point that is placed as it is.
@@ -312,46 +186,48 @@ bool Conformer<Dim>::insert_alike(SubFacet f, Vertex q) {
       const Point3 x = plane.lift(projected);
       triangulation_->announce(x);
       if (triangulation_->predicates().diametral_side(boundary_->corner_points(f), x) >= 0) continue;
+      if (is_inside_collar(boundary_->sub_facets()[f].owner, x)) continue;
       if (insert_on_patch(*at, x, q, kCloseness2 * radius2)) return true;
     }
     return false;
   }
 }
 
-// At the circumcenter of the sub-facet, unless a sub-segment lies between or would be too near.
+// At the circumcenter of the sub-facet, unless a sub-segment lies between or would be too near, or it would be
+// inside a collar or destroy what is there: then an arc is divided.
 template <int Dim>
 bool Conformer<Dim>::split_at_center(SubFacet f, Vertex q, double distance2) {
   if constexpr (Dim == 2) {
     return split_segment(boundary_->sub_segments(f).front(), q, distance2);
   } else {
+    if (const auto corner = collared_corner(f)) return split_arc(f, *corner, q, distance2);
     const Point3 center = facet_center<Dim>(boundary_->corner_points(f));
     if (!is_reachable<3>(center)) return false;
     const Plane& plane = boundary_->features().patches()[boundary_->sub_facets()[f].owner].plane;
     const Point2 projected = on_grid<2>(plane.project(center));
     const auto at = PatchTriangulation(*boundary_).walk(f, projected);
     if (!at) return false;
+    if (const auto corner = collared_corner(at->facet)) return split_arc(at->facet, *corner, q, distance2);
     if (at->barrier) return split_segment(*at->barrier, q, distance2);
     const Point3 x = plane.lift(projected);
     triangulation_->announce(x);
-    if (const auto segment = encroached_segment(*at, x)) return split_segment(*segment, q, distance2);
+    const std::vector<SubFacet> destroyed = destroyed_by(*at, x);
+    for (const SubFacet other : destroyed) {
+      if (const auto corner = collared_corner(other)) return split_arc(other, *corner, q, distance2);
+    }
+    if (const auto segment = encroached_segment(destroyed, x)) return split_segment(*segment, q, distance2);
     return insert_on_patch(*at, x, q, distance2);
   }
 }
 
-// The longest sub-segment with x inside its diametral sphere, among those at the sub-facets of the patch that x
-// would destroy.
+// The sub-facets of the patch that a point on it would destroy.
 template <int Dim>
-std::optional<SubSegment> Conformer<Dim>::encroached_segment(const PatchTriangulation::Location& at,
-                                                             const Point<Dim>& x) {
-  std::optional<SegmentEntry> longest;
+std::vector<SubFacet> Conformer<Dim>::destroyed_by(const PatchTriangulation::Location& at,
+                                                   const Point<Dim>& x) const {
+  std::vector<SubFacet> found = {at.facet};
   if constexpr (Dim == 3) {
-    std::vector<SubFacet> found = {at.facet};
     for (std::size_t head = 0; head < found.size(); ++head) {
       const SubFacet f = found[head];
-      for (const SubSegment& s : boundary_->sub_segments(f)) {
-        if (dot(complex().point(s.u) - x, complex().point(s.v) - x) >= 0) continue;
-        if (!longest || *longest < entry_of(s)) longest = entry_of(s);
-      }
       for (std::size_t k = 0; k < 3; ++k) {
         if (boundary_->sub_facets()[f].segment[k] != SubFacets<3>::kNone) continue;
         const SubFacet next = boundary_->sub_facets().across(f, k).facet;
@@ -364,8 +240,38 @@ std::optional<SubSegment> Conformer<Dim>::encroached_segment(const PatchTriangul
       }
     }
   }
+  return found;
+}
+
+// The longest sub-segment with x inside its diametral sphere, among those at the sub-facets of the patch that x
+// would destroy.
+template <int Dim>
+std::optional<SubSegment> Conformer<Dim>::encroached_segment(const std::vector<SubFacet>& destroyed,
+                                                             const Point<Dim>& x) const {
+  std::optional<SegmentEntry> longest;
+  for (const SubFacet f : destroyed) {
+    for (const SubSegment& s : boundary_->sub_segments(f)) {
+      if (dot(complex().point(s.u) - x, complex().point(s.v) - x) >= 0) continue;
+      if (!longest || *longest < entry_of(s)) longest = entry_of(s);
+    }
+  }
   return longest ? std::optional(longest->segment) : std::nullopt;
 }
+
+template <int Dim>
+bool Conformer<Dim>::split_arc(SubFacet f, Vertex corner, Vertex q, double distance2) {
+  if constexpr (Dim == 2) {
+    return false;
+  } else {
+    const Plane& plane = boundary_->features().patches()[boundary_->sub_facets()[f].owner].plane;
+    const Point2 projected = on_grid<2>(plane.project(point_on_arc(f, corner)));
+    const auto at = PatchTriangulation(*boundary_).walk(f, projected);
+    return at && !at->barrier && insert_on_patch(*at, plane.lift(projected), q, distance2);
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+//  Points into the complex.
 
 template <int Dim>
 bool Conformer<Dim>::insert_on_patch(const PatchTriangulation::Location& at, const Point<Dim>& x, Vertex q,
@@ -384,7 +290,11 @@ bool Conformer<Dim>::insert_on_patch(const PatchTriangulation::Location& at, con
 
 template <int Dim>
 bool Conformer<Dim>::split_segment(const SubSegment& s, Vertex q, double distance2) {
-  const double t = split_position(s, q);
+  return insert_on_segment(s, split_position(s, q), q, distance2);
+}
+
+template <int Dim>
+bool Conformer<Dim>::insert_on_segment(const SubSegment& s, double t, Vertex q, double distance2) {
   const Point<Dim> x = boundary_->features().point_at(s.segment, t);
   const Vertex v = insert(x, complex().incident_simplex(s.u), distance2);
   if (v.is_null()) return false;

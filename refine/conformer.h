@@ -11,6 +11,7 @@
 
 #include "core/triangulation.h"
 #include "refine/boundary.h"
+#include "refine/collars.h"
 #include "refine/domain.h"
 #include "refine/flow.h"
 #include "refine/patch_triangulation.h"
@@ -23,23 +24,25 @@ namespace sinkmesh {
 ///
 /// Why it ends: no point is inserted nearer to a vertex than the floor, so there are finitely many. Sub-facets
 /// that could only be mended by a nearer one are left, and reported. Nothing better is proven for surfaces with
-/// angles below 70.5 degrees [BR, 9]; shells, mirror images and sphere points keep the floor out of sight.
+/// angles below 70.5 degrees [BR, 9]; shells, mirror images and sphere points keep the floor out of sight, and
+/// where they do not, a new start with collars.
 template <int Dim>
 class Conformer {
  public:
   /// @param lambda  edges shorter than this times their distance from the place where two features meet are
   ///                rungs.
   /// @param floor   no two vertices get closer; gated.
+  /// @param collars  see there; outlives this.
   /// @param projects  whether a missing sub-segment is divided where its culprit is nearest. That needs fewer
   ///                points in most models, and too many in some, where middles line up by themselves.
   Conformer(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow, Boundary<Dim>& boundary,
-            double lambda, double floor, bool projects);
+            const Collars& collars, double lambda, double floor, bool projects);
 
   double lambda() const { return lambda_; }
   /// For the points to come.
   void set_lambda(double lambda) { lambda_ = lambda; }
 
-  /// Flips the input, and queues what is not conforming.
+  /// Flips the input, queues what is not conforming, and divides segments where they leave collars.
   void start();
   /// Works until the queues are empty, or a sub-facet has to be given up, because a point would come nearer to
   /// a vertex than the floor: where that happens, points breed points, and going on would only make more of
@@ -101,13 +104,21 @@ class Conformer {
   void mend(SubFacet f);
   Vertex culprit(SubFacet f);
   bool split_segment(const SubSegment& sub_segment, Vertex culprit, double distance2);
+  bool insert_on_segment(const SubSegment& sub_segment, double t, Vertex culprit, double distance2);
+  void divide_at_collars();
+  std::optional<Vertex> collared_corner(SubFacet f) const;
+  bool is_inside_collar(std::uint32_t patch, const Point<Dim>& x) const;
+  Point<Dim> point_on_arc(SubFacet f, Vertex corner) const;
+  bool split_arc(SubFacet f, Vertex corner, Vertex culprit, double distance2);
   double split_position(const SubSegment& sub_segment, Vertex culprit) const;
   bool comes_from(Vertex v, Vertex corner) const;
   bool split_at_center(SubFacet f, Vertex culprit, double distance2);
   bool insert_alike(SubFacet f, Vertex culprit);
   bool insert_on_patch(const PatchTriangulation::Location& at, const Point<Dim>& x, Vertex culprit,
                        double distance2);
-  std::optional<SubSegment> encroached_segment(const PatchTriangulation::Location& at, const Point<Dim>& x);
+  std::vector<SubFacet> destroyed_by(const PatchTriangulation::Location& at, const Point<Dim>& x) const;
+  std::optional<SubSegment> encroached_segment(const std::vector<SubFacet>& destroyed,
+                                               const Point<Dim>& x) const;
   std::optional<Point<Dim>> mirror_image(SubFacet f, Vertex q) const;
   std::optional<Point<Dim>> sphere_point(SubFacet f, Vertex q) const;
   Vertex insert(const Point<Dim>& x, Simplex hint, double distance2);
@@ -118,6 +129,7 @@ class Conformer {
   Domain<Dim>* domain_;
   Flow<Dim>* flow_;
   Boundary<Dim>* boundary_;
+  const Collars* collars_;
   double lambda_;
   double floor2_;
   bool projects_;

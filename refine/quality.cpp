@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/vector.h"
+#include "predicates/constructions.h"
 #include "refine/corner_order.h"
 
 namespace sinkmesh {
@@ -20,12 +21,11 @@ double shortest_edge2(const std::array<const P*, N>& corners) {
   return shortest;
 }
 
-// |Y|^2 / (4 D^2) with the circumcenter at a + Y/(2D) [PS, 0]. 0/0 and x/0 both mean: no volume that doubles
-// can see.
-double radius2(double y2, double d) {
-  const double r2 = y2 / (4 * d * d);
-  return std::isnan(r2) ? HUGE_VAL : r2;
-}
+// Square of the volume (in the plane: area) over a product of lengths, above which rounding can be neglected.
+// The determinant D is wrong by less than 2^-49 |u||v||w|, a 2^-13th of itself then, and Y by less than three
+// times that times the longest of u, v, w, a 2^-11th of itself, because |Y| = 2 |D| r and r is at least half of
+// each length.
+constexpr double kCertain2 = 0x1p-72;
 
 double triangle_radius2(double uu, double vv, double side_opposite2, double area2) {
   // r = (product of the sides) / (4 area), area2 = |u x v|^2 = 4 area^2.
@@ -48,9 +48,12 @@ Shape shape<3>(Corners<3> corners) {
   const double uu = dot(u, u);
   const double vv = dot(v, v);
   const double ww = dot(w, w);
+  const double d = dot(u, nb);
+  if (!(d * d > kCertain2 * uu * vv * ww)) return {circumradius2<3>(corners), shortest_edge2(corners)};
+  // The circumcenter is a + Y/(2D) [PS, 0].
   Point3 y;
   for (std::size_t k = 0; k < 3; ++k) y[k] = uu * nb[k] + vv * nc[k] + ww * nd[k];
-  return {radius2(dot(y, y), dot(u, nb)), shortest_edge2(corners)};
+  return {dot(y, y) / (4 * d * d), shortest_edge2(corners)};
 }
 
 template <>
@@ -58,8 +61,11 @@ Shape shape<2>(Corners<2> corners) {
   sort_corners(corners);
   const Point2 u = *corners[1] - *corners[0];
   const Point2 v = *corners[2] - *corners[0];
+  const double uu = dot(u, u);
+  const double vv = dot(v, v);
   const double area = cross(u, v);
-  return {triangle_radius2(dot(u, u), dot(v, v), squared_distance(*corners[1], *corners[2]), area * area),
+  if (!(area * area > kCertain2 * uu * vv)) return {circumradius2<2>(corners), shortest_edge2(corners)};
+  return {triangle_radius2(uu, vv, squared_distance(*corners[1], *corners[2]), area * area),
           shortest_edge2(corners)};
 }
 

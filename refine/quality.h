@@ -16,19 +16,21 @@ namespace sinkmesh {
 
 /// Squared circumradius and squared length of the shortest edge, in the units of the coordinates.
 struct Shape {
-  double radius2;    ///< infinite where rounding sees no volume
+  double radius2;    ///< infinite if there is no volume
   double shortest2;  ///< of the edges
 
   /// (r/l)^2; at least 3/8 for a tetrahedron and 1/3 for a triangle, attained by the regular ones.
   double ratio2() const { return radius2 / shortest2; }
 };
 
-/// Rounded; a function of the set of corners, not of their order, so that every comparison of shapes is
-/// reproducible. Decides only which simplex is worked on first, or at all; never what is connected to what.
+/// Rounded, with a relative error below 2^-9 however flat the simplex is; a function of the set of corners, not
+/// of their order, so that every comparison of shapes is reproducible. Requires points that passed the input
+/// gate. Decides only which simplex is worked on first, or at all; never what is connected to what.
 template <int Dim>
 Shape shape(Corners<Dim> corners);
 
-/// The same for a facet, as a (Dim-1)-simplex of its own. Of an edge in the plane: r/l = 1/2.
+/// The same for a facet, as a (Dim-1)-simplex of its own; infinite where rounding sees no area. Of an edge in
+/// the plane: r/l = 1/2.
 template <int Dim>
 Shape facet_shape(FacetCorners<Dim> corners);
 

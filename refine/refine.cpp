@@ -103,7 +103,7 @@ struct SurfaceMesher<Dim>::State {
   std::optional<Conformer<Dim>> conformer;
   BoundaryRules<Dim> rules;
   bool projects = true;  // see Conformer
-  bool is_stable_as_given = false;
+  Collars collars;
   std::vector<Leftover<Dim>> leftovers;
   std::vector<Sliver<Dim>> slivers;
 };
@@ -172,11 +172,13 @@ void SurfaceMesher<Dim>::State::start_conforming(std::span<const HalfFacet> foun
   boundary.emplace(triangulation, domain, used.facets, found, facet_tags, options.flat * diagonal);
   rules = {&boundary->features(),
            2 * std::sin(options.small_angle.value_or(default_angle) * (std::numbers::pi / 360)),
-           kFloor * diagonal, is_stable_as_given};
-  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor, projects);
+           kFloor * diagonal};
+  conformer.emplace(triangulation, domain, flow, *boundary, collars, rules.lambda, rules.floor, projects);
   conformer->start();
 }
 
+// From the beginning, if a sub-facet had to be given up: without projections, and then with collars at the
+// corners where points have crowded, as long as there is one that has none.
 template <int Dim>
 BoundaryResult SurfaceMesher<Dim>::State::conform(std::vector<HalfFacet> found, const RefineOptions& options) {
   Budget budget(options);
@@ -186,7 +188,8 @@ BoundaryResult SurfaceMesher<Dim>::State::conform(std::vector<HalfFacet> found, 
       const Complex<Dim>& complex = triangulation.complex();
       return budget.may_continue(complex.num_vertices(), complex.bytes());
     });
-    if (conformer->unconformed().empty() || !projects) break;
+    if (conformer->unconformed().empty()) break;
+    if (!projects && !collars.add_crowded<Dim>(*boundary, used.facets)) break;
     projects = false;
     triangulation = Triangulation<Dim>(used.points);
     found = domain.find(used.facets);
@@ -232,8 +235,7 @@ BoundaryResult SurfaceMesher<Dim>::find_domain(const RefineOptions& options) {
   }
   if (missing == 0) {
     state.domain.label(state.used.facets, Domain<Dim>::walls_at(found), state.seeds);
-    state.is_stable_as_given = state.is_stable();
-    const bool is_to_divide = mode == BoundaryMode::refine || !state.is_stable_as_given;
+    const bool is_to_divide = mode == BoundaryMode::refine || !state.is_stable();
     if (mode == BoundaryMode::fixed || !is_to_divide) return state.find_fixed();
   }
   if (missing != 0) state.require_no_crossing();
@@ -331,7 +333,7 @@ void SurfaceMesher<Dim>::State::restore(const typename Boundary<Dim>::Snapshot& 
   domain = Domain<Dim>(triangulation);
   flow = Flow<Dim>(triangulation);
   boundary->restore(snapshot);
-  conformer.emplace(triangulation, domain, flow, *boundary, rules.lambda, rules.floor, projects);
+  conformer.emplace(triangulation, domain, flow, *boundary, collars, rules.lambda, rules.floor, projects);
   domain.label(used.facets, boundary->walls(), seeds);
   conformer->remember_regions();
 }

@@ -40,7 +40,6 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
       boundary_(&boundary),
       conformer_(&conformer),
       inserter_(triangulation, domain, flow, options.max_ratio, rules),
-      is_stable_as_given_(rules.is_stable_as_given),
       on_segments_before_(conformer.points_on_segments()),
       on_patches_before_(conformer.points_on_patches()) {
   require_valid(options);

@@ -67,7 +67,6 @@ class Refiner {
   void test_points();
   void refine_boundary();
   void divide_boundary(std::size_t enough);
-  bool is_complete();
   // Each returns whether it has inserted a point.
   bool divide_for(Simplex s);
   bool divide_for(const Candidate<Dim>& candidate, double relaxed2);
@@ -86,6 +85,7 @@ class Refiner {
   template <class IsWanted, class Mend>
   bool mend_each(IsWanted&& is_wanted, Mend&& mend);
   void settle_boundary();
+  void remember_state();
   std::size_t num_boundary_points() const;
 
   // Incremental: tries the points for one simplex, one after the other, until one is inserted.
@@ -137,12 +137,12 @@ class Refiner {
   std::size_t dependent_ = 0;   // found so before a search
   std::size_t num_merged_ = 0;  // candidates that fell together with others of the round
   std::size_t inserted_before_round_ = 0;
-  bool generous_ = false;            // with points on the boundary
-  bool is_stable_as_given_ = false;  // the boundary
+  bool generous_ = false;  // with points on the boundary
   bool is_valid_ = true;
   bool is_known_ =
       false;  // what remains of last_valid_, to which the run comes back if what follows is no better
   std::optional<typename Boundary<Dim>::Snapshot> last_valid_;
+  std::size_t low_in_last_valid_ = 0;
   std::size_t on_segments_before_ = 0;
   std::size_t on_patches_before_ = 0;
 

@@ -26,39 +26,38 @@ void Refiner<Dim>::settle_boundary() {
   if (!is_valid_) return;
   for (const Simplex s : conformer_->label_new()) inserter_.add(s);
   const std::size_t num_new = inserter_.complex().num_vertices() - last_valid_->num_vertices;
-  if (!is_known_ && num_new > kFew + last_valid_->num_vertices / kPart) last_valid_ = boundary_->snapshot();
+  if (!is_known_ && num_new > kFew + last_valid_->num_vertices / kPart) remember_state();
 }
 
-// Points on the boundary may leave more simplices that a small angle excuses than they mend. A surface that
-// could be kept as given, which is stable and needed no point to conform, is kept then: no more of low quality
-// than with a fixed boundary.
+template <int Dim>
+void Refiner<Dim>::remember_state() {
+  last_valid_ = boundary_->snapshot();
+  low_in_last_valid_ = inserter_.num_low_quality();
+}
+
+// First what has to be. Then points on the boundary for quality: they may leave more simplices that a small
+// angle excuses than they mend, and are taken back then, so what is left of low quality is never more than
+// without them.
 template <int Dim>
 void Refiner<Dim>::refine_boundary() {
-  if (on_segments_before_ + on_patches_before_ != 0) {
-    return divide_boundary(std::numeric_limits<std::size_t>::max());
-  }
-  const std::size_t fixed = inserter_.num_low_quality();
-  if (fixed == 0 || !is_stable_as_given_ || !is_complete()) return divide_boundary(fixed);
-  const typename Boundary<Dim>::Snapshot given = boundary_->snapshot();
+  remember_state();
+  generous_ = true;
+  while (!is_stopped() && (bring_centers_inside() || expel_flat_simplices())) run_incremental(false);
+  const std::size_t undivided = inserter_.num_low_quality();
+  if (undivided == 0 || is_stopped()) return;
+  const typename Boundary<Dim>::Snapshot state = boundary_->snapshot();
   classify_remaining(true);
   const auto leftovers = leftovers_;
   const auto remaining = result_.remaining;
-  divide_boundary(fixed);
-  const std::size_t left = is_valid_ ? inserter_.num_low_quality() : leftovers_.size();
-  if (budget_.stop() != Stop::no_candidate || left <= fixed) return;
-  last_valid_ = given;
+  const bool is_as_given = on_segments_before_ + on_patches_before_ == 0;
+  divide_boundary(is_as_given ? undivided : std::numeric_limits<std::size_t>::max());
+  const std::size_t left = is_valid_ ? inserter_.num_low_quality() : low_in_last_valid_;
+  if (budget_.stop() != Stop::no_candidate || left <= undivided) return;
+  last_valid_ = state;
   leftovers_ = leftovers;
   result_.remaining = remaining;
   is_valid_ = false;
   is_known_ = true;
-}
-
-// Whether nothing is left to do once the boundary has been divided for quality.
-template <int Dim>
-bool Refiner<Dim>::is_complete() {
-  const std::vector<Simplex> inside = inserter_.domain().simplices();
-  return std::none_of(inside.begin(), inside.end(),
-                      [this](Simplex s) { return is_center_beyond(s) || is_to_expel(s); });
 }
 
 // At first only with points that are nearly as far from all vertices as the center for which they stand; that
@@ -70,7 +69,7 @@ void Refiner<Dim>::divide_boundary(std::size_t enough) {
   constexpr double kLeastLambda = Dim == 2 ? HUGE_VAL : 0.2956;
   constexpr double kStep = 0.6;
   for (double lambda = conformer_->lambda();; lambda = std::max(lambda * kStep, kLeastLambda)) {
-    last_valid_ = boundary_->snapshot();
+    remember_state();
     if (lambda != conformer_->lambda()) {
       is_known_ = true;
       classify_remaining(false);

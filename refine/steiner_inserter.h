@@ -47,7 +47,6 @@ struct BoundaryRules {
   const BoundaryFeatures<Dim>* features = nullptr;
   double lambda = 0;  ///< see BoundaryFeatures::rung()
   double floor = 0;   ///< no edge counts as shorter; gated
-  bool is_stable_as_given = false;
 };
 
 /// Keeps the triangulation, the domain, the flow and the list of simplices of low quality together while points

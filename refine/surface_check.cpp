@@ -360,9 +360,10 @@ class Checker {
   }
 
   void check_duplicate_vertices() {
+    const std::vector<bool> used = topology_.used_vertices();
     Ids order;
     for (std::size_t v = 0; v < surface_.points.size(); ++v) {
-      if (is_finite<Dim>(surface_.points[v])) order.push_back(id(v));
+      if (used[v] && is_finite<Dim>(surface_.points[v])) order.push_back(id(v));
     }
     const auto& points = surface_.points;
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -85,6 +85,25 @@ TYPED_TEST(ConstructionsTest, VectorToTheCircumcenterIsTheExactOneRounded) {
   }
 }
 
+TYPED_TEST(ConstructionsTest, CircumradiusIsThatOfTheExactCenter) {
+  constexpr int kDim = TypeParam::value;
+  Random random(4);
+  for (const Cloud kind : kAllClouds) {
+    for (int trial = 0; trial < 300; ++trial) {
+      const auto points = gated_cloud<kDim>(kind, random);
+      const ExactPoints<kDim> p(points);
+      const double radius2 = circumradius2<kDim>(corners<kDim>(points));
+      if (exact_volume<kDim>(p, 0) == 0) {
+        ASSERT_EQ(radius2, HUGE_VAL);
+        continue;
+      }
+      mpq_class exact = 0;
+      for (const mpq_class& x : exact_vector_to_center<kDim>(p, 0)) exact += x * x;
+      ASSERT_LE(std::abs(mpq_class(radius2 / exact - 1).get_d()), 0x1p-49);
+    }
+  }
+}
+
 TYPED_TEST(ConstructionsTest, NormalHasExactSignsAndPointsOutward) {
   constexpr int kDim = TypeParam::value;
   Random random(3);

@@ -44,6 +44,19 @@ TEST(Quality, FlatSimplexHasInfiniteRadius) {
   EXPECT_TRUE(std::isinf(shape<3>(pointers<3>(line)).ratio2()));
 }
 
+// Four points of a circle, one of them lifted by h: as h goes to 0, rounding takes the volume away, not the
+// circle.
+TEST(Quality, NearlyFlatSimplexHasTheRadiusOfItsCircle) {
+  for (const double h : {0x1p-20, 0x1p-40, 0x1p-60, 0x1p-100}) {
+    // The center (0,0,z) is as far from (5,0,h) as from the others: 25 + (z-h)^2 = 25 + z^2, so z = h/2.
+    const std::array<Point3, 4> t = {{{3, 4, 0}, {-4, 3, 0}, {0, -5, 0}, {5, 0, h}}};
+    EXPECT_NEAR(shape<3>(pointers<3>(t)).radius2, 25 + h * h / 4, 1e-9) << h;
+    const std::array<Point2, 3> needle = {{{0, 0}, {1, h}, {2, 0}}};
+    const double radius = (1 + h * h) / (2 * h);
+    EXPECT_NEAR(shape<2>(pointers<2>(needle)).radius2 / (radius * radius), 1, 1e-9) << h;
+  }
+}
+
 TEST(Quality, DoesNotDependOnTheOrderOfCorners) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);

@@ -166,6 +166,11 @@ inline std::vector<NamedSurface<3>> boundary_solids() {
   for (const int k : {4, 10}) {
     add("plate 1:" + std::to_string(k), box_surface({0, 0, 0}, {1.0 * k, 1.0 * k, 1}), true);
   }
+  for (const int k : {3, 5, 7}) {
+    Surface3 skew = box_surface({0, 0, 0}, {1.0 * k, 1.0 * k + 1, 1});
+    for (Point3& p : skew.points) p = {p[0] + 0.3 * p[2], p[1] - 0.2 * p[0], p[2] + 0.1 * p[1] + 0.2 * p[0]};
+    add("skew plate 1:" + std::to_string(k), skew, false);
+  }
   add("L",
       prism({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 1),
       true);

@@ -23,14 +23,15 @@ struct Conforming {
   using Facet = std::array<Vertex, Dim>;
 
   /// Requires a surface without unused points.
-  explicit Conforming(const Surface<Dim>& given, bool projects = true)
+  explicit Conforming(const Surface<Dim>& given, bool projects = true, const Collars& with = {})
       : surface(given),
         triangulation(surface.points),
         domain(triangulation),
         flow(triangulation),
         facets(facets_of(surface)),
+        collars(with),
         boundary(triangulation, domain, facets, domain.find(facets), surface.facet_tags, 0x1p-40),
-        conformer(triangulation, domain, flow, boundary, 0.5, 0x1p-30, projects) {}
+        conformer(triangulation, domain, flow, boundary, collars, 0.5, 0x1p-30, projects) {}
   Conforming(const Conforming&) = delete;
   Conforming& operator=(const Conforming&) = delete;
 
@@ -74,6 +75,7 @@ struct Conforming {
   Domain<Dim> domain;
   Flow<Dim> flow;
   std::vector<Facet> facets;
+  Collars collars;
   Boundary<Dim> boundary;
   Conformer<Dim> conformer;
 };

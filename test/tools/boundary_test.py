@@ -163,8 +163,12 @@ class Boundary(ProgramTest):
                     report = self.refine_surface(surface)
                     self.check(surface, report)
                     remaining = report["remaining"]
-                    # Beside a facet that is itself a needle there is nothing to be done.
-                    self.assertEqual(remaining["total"], remaining["small_angle"] + remaining["boundary_facet"])
+                    # Beside a facet that is itself a needle there is nothing to be done; and where points on the
+                    # boundary would leave more behind than they mend, it stays undivided.
+                    reasons = ["small_angle", "boundary_facet"]
+                    if report["boundary"]["refine_points_on_segments"] == 0:
+                        reasons.append("boundary")
+                    self.assertEqual(remaining["total"], sum(remaining[reason] for reason in reasons))
                     for leftover in report["leftovers"]:
                         if leftover["reason"] == "small_angle":
                             self.assertIsNotNone(leftover["common"])
@@ -261,16 +265,31 @@ class Boundary(ProgramTest):
         self.assertTrue((self.folder / "out.mesh").exists())
 
     def test_facets_in_one_plane_up_to_rounding_are_one_unless_told_otherwise(self):
-        # A prism turned, with one angle of ten degrees.
-        points = [(0, 0, 0), (0.6417521704927418, -0.7027288369581577, 0.30712592429700564),
-                  (0.5065248774379725, -0.8064167919798473, 0.352442492153177),
-                  (0, -0.40047083473492334, -0.9163095058585357),
-                  (0.6417521704927418, -1.103199671693081, -0.6091835815615301),
-                  (0.5065248774379725, -1.2068876267147706, -0.5638670137053586)]
+        # A prism over a triangle, turned.
+        points = [(0, 0, 0), (0.8375315159647386, 0.45011488802449345, -0.3097378687608354),
+                  (0.29114249725571784, 1.1400727598283114, -0.7845190555934007),
+                  (0, 0.5668815773286727, 0.8237992942976803),
+                  (0.8375315159647386, 1.0169964653531662, 0.5140614255368449),
+                  (0.29114249725571784, 1.7069543371569842, 0.039280238704279546)]
         source = self.write("in.off", off((points, [(0, 2, 1), (3, 4, 5), (0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (2, 0, 3), (2, 3, 5)])))
         line = self.fail_with_one_line(3, "refine", source, "-o", self.path("out.mesh"), "--flat", 0)
         self.assertIn("at --flat 0 facets that are in one plane up to rounding are not joined: leave it out", line)
         self.refine(source)
+
+    def test_rings_of_points_around_a_tip_do_not_breed(self):
+        """Nearly cocircular corners have to be divided, which once went on, ring by ring, to the tip."""
+        for n in (8, 12, 16, 24):
+            with self.subTest(n=n):
+                surface = shapes.moved(shapes.cone(n, 5), 33)
+                report = self.refine_surface(surface)
+                self.check(surface, report)
+                self.assertLess(report["final"]["vertices"], 30 * n)
+
+    def test_dividing_leaves_no_more_than_it_found(self):
+        for degrees in (2, 5, 10):
+            report = self.refine_surface(shapes.wedge(degrees))
+            self.assertLessEqual(report["final"]["low_quality"], report["initial"]["low_quality"])
+            self.assertEqual(report["final"]["low_quality"], report["remaining"]["total"])
 
     def test_pieces_of_an_aligned_plate_stay_aligned(self):
         """Equal tiles, as large as the bound lets them be: six tetrahedra each, of one shape."""
@@ -284,7 +303,7 @@ class Boundary(ProgramTest):
         points, facets = shapes.plate(10)
         self.refine_surface((points, facets))
         made = exact.Mesh(self.path("out.mesh"))
-        loose = [(-1.0, 0.0, 0.0), *made.points[len(points)::3]]
+        loose = [(-1.0, 0.0, 0.0), *made.points[len(points)::3], (-1.0, 0.0, 0.0), *points[:2]]
         first = len(loose) // 2
         moved = [tuple(v + first for v in facet) for facet in facets]
         report = self.refine_surface(([*loose[:first], *points, *loose[first:]], moved))

@@ -107,6 +107,13 @@ def pyramid(degrees):
     return points, [(0, 2, 1), (0, 3, 2), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
 
 
+def cone(n, height):
+    """A pyramid over a regular polygon of radius 1, which is cut into a fan from its first corner."""
+    points = [(math.cos(2 * math.pi * i / n), math.sin(2 * math.pi * i / n), 0.0) for i in range(n)]
+    facets = [(0, i + 1, i) for i in range(1, n - 1)] + [(i, (i + 1) % n, n) for i in range(n)]
+    return points + [(0.0, 0.0, float(height))], facets
+
+
 def spire(degrees):
     """A pyramid over a square; this is the angle of neighbouring edges at its apex, below 90."""
     half = math.radians(degrees) / 2
