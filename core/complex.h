@@ -106,7 +106,8 @@ class Complex {
   /// Requires a solid simplex.
   Corners<Dim> corners(Simplex s) const {
     Corners<Dim> points;
-    for (int i = 0; i < kCorners; ++i) points[i] = &vertices_[slot(s, i)].point;
+    points[0] = &vertices_[slot(s, 0)].point;  // only here there may be a mark
+    for (std::size_t i = 1; i < kCorners; ++i) points[i] = &vertices_[records_[s.index()].corner[i]].point;
     return points;
   }
   /// Requires a facet without the vertex at infinity.

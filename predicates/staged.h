@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "predicates/detail/lanes.h"
 #include "predicates/point.h"
 #include "predicates/polynomials.h"
 #include "predicates/verdict.h"
@@ -80,7 +81,7 @@ class Predicates {
   template <class P>
   detail::Verdict verdict(const detail::Points<P>& points) const {
     const detail::Filter<P>& filter = filters_;
-    const double value = P::value(detail::rounded_vectors<P>(points));
+    const double value = detail::rounded_value<P>(points);
     if (std::abs(value) > filter.error) [[likely]]
       return {value > 0 ? 1 : -1, detail::Stage::kStatic};
     return detail::decide_after_static<P>(points, value, filter.unit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The stages in their order, once for all polynomials.
+#include "predicates/detail/lanes.h"
 #include "predicates/detail/stages.h"
 
 namespace sinkmesh::detail {
@@ -36,7 +37,7 @@ Verdict decide_after_static(const Points<P>& points, double value, double unit) 
 template <class P>
 Verdict decide(const Points<P>& points) {
   constexpr double kNoUnit = 0;
-  return decide_after_static<P>(points, P::value(rounded_vectors<P>(points)), kNoUnit);
+  return decide_after_static<P>(points, rounded_value<P>(points), kNoUnit);
 }
 
 #define SINKMESH_INSTANTIATE(P)                 \

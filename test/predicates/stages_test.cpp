@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
 
+#include "predicates/detail/lanes.h"
 #include "predicates/detail/stages.h"
 #include "predicates/staged.h"
 #include "test/support/clouds.h"
@@ -56,6 +59,20 @@ TYPED_TEST(StagesTest, AgreeWhereverTwoOfThemDecide) {
   }
   EXPECT_GE(by64, 1000);
   EXPECT_GE(first_order_decided, 1000);
+}
+
+// To the bit, whatever they are worth.
+TYPED_TEST(StagesTest, LanesDoTheSameSumsAndProducts) {
+  using P = TypeParam;
+  Random random(8);
+  for (const Cloud kind : kAllClouds) {
+    for (int sample = 0; sample < 150; ++sample) {
+      const auto points = make_cloud<P::kDim>(kind, P::kPoints, random);
+      const auto p = pointers<P>(points);
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(rounded_value<P>(p) + 0.0),
+                std::bit_cast<std::uint64_t>(P::value(rounded_vectors<P>(p)) + 0.0));
+    }
+  }
 }
 
 // The error bounds, against the exact value: by far more than a sign can tell.
