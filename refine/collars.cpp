@@ -6,14 +6,17 @@
 #include <set>
 
 #include "core/vector.h"
+#include "refine/corner_order.h"
 
 namespace sinkmesh {
 namespace {
 
 using Kind = Feature::Kind;
 
-/// Infinite if the foot of p in the plane of the triangle is outside: then an edge is nearer.
-double squared_distance_from_interior(const Point3& p, const std::array<const Point3*, 3>& triangle) {
+/// Infinite if the foot of p in the plane of the triangle is outside: then an edge is nearer. A function of the
+/// set of corners, not of their order.
+double squared_distance_from_interior(const Point3& p, std::array<const Point3*, 3> triangle) {
+  sort_corners(triangle);
   const Point3& a = *triangle[0];
   const Point3 normal = cross(*triangle[1] - a, *triangle[2] - a);
   for (std::size_t k = 0; k < 3; ++k) {

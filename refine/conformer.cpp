@@ -63,9 +63,13 @@ void Conformer<Dim>::enqueue(SubFacet f) {
   } else if (boundary_->encroaching_apexes(f).empty()) {
     return;
   }
+  facet_queue_.push(entry_of(f));
+}
+
+template <int Dim>
+auto Conformer<Dim>::entry_of(SubFacet f) const -> Entry {
   const FacetCorners<Dim> corners = boundary_->corner_points(f);
-  facet_queue_.push(
-      {facet_shape<Dim>(corners).radius2, hash_points<Dim>(corners), f, boundary_->sub_facets()[f].birth});
+  return {facet_shape<Dim>(corners).radius2, hash_points<Dim>(corners), f, boundary_->sub_facets()[f].birth};
 }
 
 template <int Dim>
@@ -211,7 +215,8 @@ bool Conformer<Dim>::split_at_center(SubFacet f, Vertex q, double distance2) {
     if (at->barrier) return split_segment(*at->barrier, q, distance2);
     const Point3 x = plane.lift(projected);
     triangulation_->announce(x);
-    const std::vector<SubFacet> destroyed = destroyed_by(*at, x);
+    std::vector<SubFacet> destroyed = destroyed_by(*at, x);
+    sort_by_size(destroyed);
     for (const SubFacet other : destroyed) {
       if (const auto corner = collared_corner(other)) return split_arc(other, *corner, q, distance2);
     }
@@ -241,6 +246,12 @@ std::vector<SubFacet> Conformer<Dim>::destroyed_by(const PatchTriangulation::Loc
     }
   }
   return found;
+}
+
+// The largest first.
+template <int Dim>
+void Conformer<Dim>::sort_by_size(std::vector<SubFacet>& facets) const {
+  std::sort(facets.begin(), facets.end(), [this](SubFacet f, SubFacet g) { return entry_of(g) < entry_of(f); });
 }
 
 // The longest sub-segment with x inside its diametral sphere, among those at the sub-facets of the patch that x

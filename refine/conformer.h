@@ -98,6 +98,7 @@ class Conformer {
 
   const Complex<Dim>& complex() const { return triangulation_->complex(); }
   SegmentEntry entry_of(const SubSegment& s) const;
+  Entry entry_of(SubFacet f) const;
   void enqueue(SubFacet f);
   void enqueue_created();
   void mend(const SubSegment& sub_segment);
@@ -117,6 +118,7 @@ class Conformer {
   bool insert_on_patch(const PatchTriangulation::Location& at, const Point<Dim>& x, Vertex culprit,
                        double distance2);
   std::vector<SubFacet> destroyed_by(const PatchTriangulation::Location& at, const Point<Dim>& x) const;
+  void sort_by_size(std::vector<SubFacet>& facets) const;
   std::optional<SubSegment> encroached_segment(const std::vector<SubFacet>& destroyed,
                                                const Point<Dim>& x) const;
   std::optional<Point<Dim>> mirror_image(SubFacet f, Vertex q) const;

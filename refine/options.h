@@ -48,9 +48,9 @@ enum class Fallback : std::uint8_t {
 enum class BoundaryMode : std::uint8_t {
   automatic,  ///< fixed if the surface is stable as given, else refine
   fixed,      ///< kept as given; what is not stable is peeled off [EG01, 5.1]
-  /// Divided where that is needed: to be Delaunay, to be stable, and for quality. A surface that is stable as
-  /// given, with every circumcenter inside and no simplex flat on it, is kept if dividing it would leave more
-  /// simplices of low quality.
+  /// Divided where that is needed: to be Delaunay, to be stable, to have every circumcenter inside and no flat
+  /// simplex; and for quality, but in space, and where a surface is all that as given, not if that would leave
+  /// more simplices of low quality.
   refine,
 };
 
@@ -64,7 +64,8 @@ struct BoundaryOptions {
   static constexpr double kSmallAngle3 = 29;
   static constexpr double kSmallAngle2 = 60;
   /// Facets are one patch if all their vertices lie within this distance of one plane, as a fraction of the
-  /// diagonal of the bounding box; 0: only if exactly coplanar. At least 0, below 1.
+  /// diagonal of the bounding box, or a unit in the last place of the largest coordinate, if that is more; 0:
+  /// only if exactly coplanar. At least 0, below 1.
   double flat = 0x1p-42;
 };
 

@@ -169,7 +169,9 @@ void SurfaceMesher<Dim>::State::start_conforming(std::span<const HalfFacet> foun
   const double diagonal = std::sqrt(squared_distance(box.low, box.high));
   domain = Domain<Dim>(triangulation);
   flow = Flow<Dim>(triangulation);
-  boundary.emplace(triangulation, domain, used.facets, found, facet_tags, options.flat * diagonal);
+  // Far from the origin planes are rounded by more than the fraction of the diagonal; coordinates are below 2.
+  const double flat = options.flat > 0 ? std::max(options.flat * diagonal, 0x1p-52) : 0;
+  boundary.emplace(triangulation, domain, used.facets, found, facet_tags, flat);
   rules = {&boundary->features(),
            2 * std::sin(options.small_angle.value_or(default_angle) * (std::numbers::pi / 360)),
            kFloor * diagonal};

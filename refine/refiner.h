@@ -85,7 +85,6 @@ class Refiner {
   template <class IsWanted, class Mend>
   bool mend_each(IsWanted&& is_wanted, Mend&& mend);
   void settle_boundary();
-  void remember_state();
   std::size_t num_boundary_points() const;
 
   // Incremental: tries the points for one simplex, one after the other, until one is inserted.
@@ -142,7 +141,6 @@ class Refiner {
   bool is_known_ =
       false;  // what remains of last_valid_, to which the run comes back if what follows is no better
   std::optional<typename Boundary<Dim>::Snapshot> last_valid_;
-  std::size_t low_in_last_valid_ = 0;
   std::size_t on_segments_before_ = 0;
   std::size_t on_patches_before_ = 0;
 

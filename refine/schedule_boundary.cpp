@@ -26,13 +26,7 @@ void Refiner<Dim>::settle_boundary() {
   if (!is_valid_) return;
   for (const Simplex s : conformer_->label_new()) inserter_.add(s);
   const std::size_t num_new = inserter_.complex().num_vertices() - last_valid_->num_vertices;
-  if (!is_known_ && num_new > kFew + last_valid_->num_vertices / kPart) remember_state();
-}
-
-template <int Dim>
-void Refiner<Dim>::remember_state() {
-  last_valid_ = boundary_->snapshot();
-  low_in_last_valid_ = inserter_.num_low_quality();
+  if (!is_known_ && num_new > kFew + last_valid_->num_vertices / kPart) last_valid_ = boundary_->snapshot();
 }
 
 // First what has to be. Then points on the boundary for quality: they may leave more simplices that a small
@@ -40,7 +34,7 @@ void Refiner<Dim>::remember_state() {
 // without them.
 template <int Dim>
 void Refiner<Dim>::refine_boundary() {
-  remember_state();
+  last_valid_ = boundary_->snapshot();
   generous_ = true;
   while (!is_stopped() && (bring_centers_inside() || expel_flat_simplices())) run_incremental(false);
   const std::size_t undivided = inserter_.num_low_quality();
@@ -51,8 +45,9 @@ void Refiner<Dim>::refine_boundary() {
   const auto remaining = result_.remaining;
   const bool is_as_given = on_segments_before_ + on_patches_before_ == 0;
   divide_boundary(is_as_given ? undivided : std::numeric_limits<std::size_t>::max());
-  const std::size_t left = is_valid_ ? inserter_.num_low_quality() : low_in_last_valid_;
-  if (budget_.stop() != Stop::no_candidate || left <= undivided) return;
+  const bool is_comparable = Dim == 3 || is_as_given;
+  if (budget_.stop() != Stop::no_candidate) return;
+  if (is_valid_ && !(is_comparable && inserter_.num_low_quality() > undivided)) return;
   last_valid_ = state;
   leftovers_ = leftovers;
   result_.remaining = remaining;
@@ -69,7 +64,7 @@ void Refiner<Dim>::divide_boundary(std::size_t enough) {
   constexpr double kLeastLambda = Dim == 2 ? HUGE_VAL : 0.2956;
   constexpr double kStep = 0.6;
   for (double lambda = conformer_->lambda();; lambda = std::max(lambda * kStep, kLeastLambda)) {
-    remember_state();
+    last_valid_ = boundary_->snapshot();
     if (lambda != conformer_->lambda()) {
       is_known_ = true;
       classify_remaining(false);

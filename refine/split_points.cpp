@@ -155,33 +155,41 @@ std::optional<Point<Dim>> Conformer<Dim>::sphere_point(SubFacet f, Vertex q) con
 // ------------------------------------------------------------------------------------------------
 //  On collars.
 
-// From both ends, where there are collars.
+// From both ends, where there are collars; the shortest segments first, because what is known of a vertex
+// depends on those before it.
 template <int Dim>
 void Conformer<Dim>::divide_at_collars() {
-  if (collars_->empty()) return;
   const auto& features = boundary_->features();
+  std::vector<SegmentEntry> segments;
   for (std::uint32_t s = 0; s < features.segments().size(); ++s) {
-    SubSegment rest{features.segments()[s].ends[0], features.segments()[s].ends[1], s};
-    const double length = features.length(s);
+    const auto& ends = features.segments()[s].ends;
+    if (collars_->radius(ends[0]) + collars_->radius(ends[1]) > 0)
+      segments.push_back(entry_of({ends[0], ends[1], s}));
+  }
+  std::sort(segments.begin(), segments.end());
+  for (const SegmentEntry& entry : segments) {
+    SubSegment rest = entry.segment;
+    const double length = features.length(rest.segment);
     for (const Vertex end : {rest.u, rest.v}) {
       const double part = collars_->radius(end) / length;
       if (part == 0) continue;
       const auto away = [&](double t) { return end == rest.v ? 1 - t : t; };
-      const double t = away(part * apart<Dim>(features.point_at(s, away(part))));
+      const double t = away(part * apart<Dim>(features.point_at(rest.segment, away(part))));
       const auto w = Vertex(static_cast<std::uint32_t>(complex().num_vertices()));
       if (insert_on_segment(rest, t, {}, 0)) (end == rest.v ? rest.v : rest.u) = w;
     }
   }
 }
 
-// That of a collar, if the sub-facet has one.
+// That of a collar, if the sub-facet has one; of several that of the least coordinates.
 template <int Dim>
 std::optional<Vertex> Conformer<Dim>::collared_corner(SubFacet f) const {
-  if (collars_->empty()) return std::nullopt;
+  std::optional<Vertex> least;
+  if (collars_->empty()) return least;
   for (const Vertex v : boundary_->sub_facets()[f].corners) {
-    if (collars_->radius(v) != 0) return v;
+    if (collars_->radius(v) != 0 && (!least || complex().point(v) < complex().point(*least))) least = v;
   }
-  return std::nullopt;
+  return least;
 }
 
 // Whether a collar of a corner of the patch would have x inside. No center is, that destroys no sub-facet at

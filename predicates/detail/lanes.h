@@ -9,7 +9,7 @@ namespace sinkmesh::detail {
 
 /// P at the rounded differences of its points.
 template <class P>
-double rounded_value(const Points<P>& p) {
+[[gnu::always_inline]] inline double rounded_value(const Points<P>& p) {
   return P::value(rounded_vectors<P>(p));
 }
 

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <random>
+#include <set>
 
 #include "core/vector.h"
 #include "refine/refine.h"
@@ -127,6 +131,30 @@ TEST_F(FlatHull, IsRefinedByTheUsualCall) {
   const RefineResult result = mesher.refine(options);
   EXPECT_EQ(result.stop, Stop::no_candidate);
   EXPECT_EQ(result.centers_beyond, 0U);
+}
+
+TEST(Collars, DoNotDependOnNumbers) {
+  const Surface3 given = flat_hull();
+  std::set<std::uint64_t> hashes;
+  std::mt19937_64 random(1);
+  for (int trial = 0; trial < 5; ++trial) {
+    std::vector<std::uint32_t> number(given.points.size());
+    std::iota(number.begin(), number.end(), 0);
+    std::shuffle(number.begin(), number.end(), random);
+    Surface3 s = given;
+    for (std::size_t v = 0; v < number.size(); ++v) s.points[number[v]] = given.points[v];
+    for (auto& facet : s.facets) {
+      for (std::uint32_t& v : facet) v = number[v];
+      std::rotate(facet.begin(), facet.begin() + static_cast<std::ptrdiff_t>(random() % 3), facet.end());
+    }
+    std::shuffle(s.facets.begin(), s.facets.end(), random);
+    SurfaceMesher<3> mesher(s);
+    RefineOptions options;
+    ASSERT_TRUE(mesher.find_domain(options).ok());
+    mesher.refine(options);
+    hashes.insert(mesher.hash());
+  }
+  EXPECT_EQ(hashes.size(), 1U);
 }
 
 TEST(Collars, NoneWhereNothingIsCrowded) {
