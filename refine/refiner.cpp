@@ -17,6 +17,9 @@ double with_low_bits(double high, float low) {
   return std::bit_cast<double>(high_bits | std::bit_cast<std::uint32_t>(low));
 }
 
+// The 40 highest bits of the mantissa: numbers are equal that differ by the rounding of coordinates only.
+double but_for_rounding(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) >> 12 << 12); }
+
 }  // namespace
 
 template <int Dim>
@@ -146,19 +149,31 @@ void Refiner<Dim>::end_round() {
 
 // 2^200 keeps the priorities of simplices of any size that doubles see in space behind the gate above 1.
 //
-// On a plate all simplices have the same shortest edge, up to rounding: of lengths that agree in 20 bits the
-// worst ratio comes first. Then large pieces are halved before small ones, and what is aligned stays so.
+// On a plate all simplices have the same shortest edge, up to rounding: where the boundary is divided, of
+// lengths that agree in 20 bits the worst ratio comes first. Then large pieces are halved before small ones,
+// and what is aligned stays so.
 template <int Dim>
 double Refiner<Dim>::priority(const Shape& shape) const {
   switch (result_.order) {
     case Order::ratio:
       return shape.ratio2();
     case Order::shortest:
+      if (conformer_ == nullptr) return but_for_rounding(0x1p200 / shape.shortest2);
       return with_low_bits(0x1p200 / shape.shortest2, static_cast<float>(shape.ratio2()));
     case Order::smallest:
       return std::max(1.0, 0x1p200 / shape.radius2);
   }
   return 1;
+}
+
+// All simplices around a short edge have it in common. Within a fixed boundary the smallest of them comes
+// first, as with Order::smallest: that leaves fewer of low quality than the worst ratio first, or no order.
+template <int Dim>
+std::uint64_t Refiner<Dim>::tie(Simplex s, const Shape& shape) const {
+  const std::uint64_t hash = inserter_.tie(s);
+  if (result_.order != Order::shortest || conformer_ != nullptr) return hash;
+  const auto size = std::bit_cast<std::uint32_t>(static_cast<float>(1 / shape.radius2));
+  return std::uint64_t{size} << 32 | hash >> 32;
 }
 
 template <int Dim>

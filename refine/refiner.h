@@ -101,8 +101,9 @@ class Refiner {
   bool make_candidate(Simplex owner, bool own_center, Candidate<Dim>& candidate);
   bool insert_point_of(Simplex owner, bool own_center);
   bool try_insert(const Candidate<Dim>& candidate);
-  // The order of work: the highest first; at least 1.
+  // The order of work: the highest priority first, which is at least 1, of equal ones the largest tie.
   double priority(const Shape& shape) const;
+  std::uint64_t tie(Simplex s, const Shape& shape) const;
 
   // Rounds: candidates by decreasing priority.
   std::vector<Candidate<Dim>> collect(bool own_centers);

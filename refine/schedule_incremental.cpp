@@ -11,7 +11,7 @@ void Refiner<Dim>::run_incremental(bool divides_boundary) {
   constexpr std::size_t kInsertionsPerRound = 256;
   UrgencyQueue queue;
   inserter_.on_low_quality = [&](Simplex s, const Shape& shape) {
-    queue.push({priority(shape), inserter_.tie(s), s, inserter_.birth(s)});
+    queue.push({priority(shape), tie(s, shape), s, inserter_.birth(s)});
   };
   for (const Simplex s : inserter_.low_quality()) {
     if (!inserter_.is_excused(s)) inserter_.on_low_quality(s, shape<Dim>(inserter_.complex().corners(s)));

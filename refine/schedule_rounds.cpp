@@ -64,7 +64,11 @@ std::vector<Candidate<Dim>> Refiner<Dim>::collect(bool own_centers) {
     if (!options_.literal && inserter_.is_rejected(s)) continue;
     Candidate<Dim> candidate;
     if (!make_candidate(s, own_centers, candidate)) continue;
-    if (!candidate.is_center) candidate.priority = priority(shape<Dim>(inserter_.complex().corners(s)));
+    if (!candidate.is_center) {
+      const Shape owner = shape<Dim>(inserter_.complex().corners(s));
+      candidate.priority = priority(owner);
+      candidate.tie = ~tie(s, owner);  // here the smallest comes first
+    }
     candidates.push_back(candidate);
   }
   const auto comes_before = [](const Candidate<Dim>& a, const Candidate<Dim>& b) {

@@ -69,7 +69,7 @@ struct Listed {
   double radius2;  ///< of the ball that holds no vertex
   double length2;  ///< of the shortest edge of the owner
   double key;      ///< the least comes first; simplices with the same shortest edge are not far to seek
-  double ratio2;   ///< then the largest, where the shortest edge is the key
+  double size2;    ///< then the smallest circumradius, where the shortest edge is the key
   std::uint64_t tie;
 };
 
@@ -87,11 +87,11 @@ std::vector<Listed<Dim>> list(Inside<Dim>& inside, double max_ratio, double reac
                        : order == Order::shortest ? shape.shortest2
                                                   : shape.radius2;
     const std::uint64_t tie = hash_points<Dim>(inside.triangulation.complex().corners(s));
-    const double ratio2 = order == Order::shortest ? shape.radius2 / shape.shortest2 : 0;
-    result.push_back({s, found->point, found->distance2, shape.shortest2, key, ratio2, tie});
+    const double size2 = order == Order::shortest ? shape.radius2 : 0;
+    result.push_back({s, found->point, found->distance2, shape.shortest2, key, size2, tie});
   }
   std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
-    return std::tuple(a.key, -a.ratio2, a.tie) < std::tuple(b.key, -b.ratio2, b.tie);
+    return std::tuple(a.key, a.size2, a.tie) < std::tuple(b.key, b.size2, b.tie);
   });
   std::set<Point<Dim>> met;
   inside.shared += std::erase_if(result, [&](const auto& entry) { return !met.insert(entry.point).second; });
