@@ -55,10 +55,10 @@ Refiner<Dim>::Refiner(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Fl
 // be divided for.
 template <int Dim>
 RefineResult Refiner<Dim>::run() {
-  inserter_.measure_all();
   if (options_.schedule == Schedule::incremental) {
     run_incremental(false);
   } else {
+    inserter_.measure_all();
     run_rounds();
   }
   if (conformer_ != nullptr) refine_boundary();

@@ -9,21 +9,25 @@ namespace sinkmesh {
 template <int Dim>
 void Refiner<Dim>::run_incremental(bool divides_boundary) {
   constexpr std::size_t kInsertionsPerRound = 256;
-  UrgencyQueue queue;
+  UrgencyQueue queue([this](const UrgencyEntry& e) {
+    return tie(e.simplex, shape<Dim>(inserter_.complex().corners(e.simplex)));
+  });
   inserter_.on_low_quality = [&](Simplex s, const Shape& shape) {
-    queue.push({priority(shape), tie(s, shape), s, inserter_.birth(s)});
+    queue.push({priority(shape), s, inserter_.birth(s)});
   };
-  for (const Simplex s : inserter_.low_quality()) {
-    if (!inserter_.is_excused(s)) inserter_.on_low_quality(s, shape<Dim>(inserter_.complex().corners(s)));
+  if (inserter_.num_simplices() == 0) {
+    inserter_.measure_all();
+  } else {
+    for (const Simplex s : inserter_.low_quality()) {
+      if (!inserter_.is_excused(s)) inserter_.on_low_quality(s, shape<Dim>(inserter_.complex().corners(s)));
+    }
   }
-  const auto is_current = [&](const UrgencyQueue::Entry& e) {
-    return inserter_.is_current(e.simplex, e.birth);
-  };
+  const auto is_current = [&](const UrgencyEntry& e) { return inserter_.is_current(e.simplex, e.birth); };
 
-  std::vector<UrgencyQueue::Entry> stuck;
+  std::vector<UrgencyEntry> stuck;
   begin_round();
   for (bool retry = true; retry && !is_stopped();) {
-    UrgencyQueue::Entry entry;
+    UrgencyEntry entry;
     while (queue.pop(entry, is_current) && may_continue()) {
       if (!insert_for(entry.simplex) && !(divides_boundary && divide_for(entry.simplex))) {
         stuck.push_back(entry);
@@ -38,7 +42,7 @@ void Refiner<Dim>::run_incremental(bool divides_boundary) {
     // Points inserted for others may have turned the flow of a simplex to another sink. Each retry begins with
     // one that is not rejected, so it inserts or rejects.
     retry = false;
-    std::erase_if(stuck, [&](const UrgencyQueue::Entry& e) {
+    std::erase_if(stuck, [&](const UrgencyEntry& e) {
       if (!is_current(e)) return true;
       if (!has_candidate(e.simplex)) return false;
       queue.push(e);

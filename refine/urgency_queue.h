@@ -7,30 +7,44 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/handles.h"
 
 namespace sinkmesh {
 
+/// A simplex that waits.
+struct UrgencyEntry {
+  double priority;  ///< at least 1, may be infinite
+  Simplex simplex;
+  std::uint32_t birth;    ///< tells the simplex from others in the same slot
+  std::uint64_t tie = 0;  ///< orders entries of equal priority; the queue asks for it
+};
+
 /// Entries for simplices that have died in the meantime stay until they are met. There are many of them, so a
 /// single heap would spend most of its time on the dead; instead entries wait unsorted in buckets by exponent
 /// and two bits of the mantissa of the priority, and only the highest bucket becomes a heap, from what is then
 /// alive [SN, 4].
+///
+/// @tparam TieOf  called with an entry whose simplex lives: a function of the geometry. Only asked for what
+///                comes into a heap, since most entries die before.
+template <class TieOf>
 class UrgencyQueue {
  public:
-  struct Entry {
-    double priority;    ///< at least 1, may be infinite
-    std::uint64_t tie;  ///< orders entries of equal priority; a function of the geometry
-    Simplex simplex;
-    std::uint32_t birth;  ///< tells the simplex from others in the same slot
-  };
+  using Entry = UrgencyEntry;
 
+  explicit UrgencyQueue(TieOf tie_of) : tie_of_(std::move(tie_of)) {}
+
+  /// An entry whose simplex lives.
   void push(const Entry& entry) {
     const std::size_t b = bucket_of(entry.priority);
     Bucket& bucket = buckets_[b];
     bucket.entries.push_back(entry);
-    if (bucket.is_heap) std::push_heap(bucket.entries.begin(), bucket.entries.end(), is_less);
+    if (bucket.is_heap) {
+      bucket.entries.back().tie = tie_of_(entry);
+      std::push_heap(bucket.entries.begin(), bucket.entries.end(), is_less);
+    }
     top_ = std::max(top_, b);
   }
 
@@ -42,6 +56,7 @@ class UrgencyQueue {
       Bucket& bucket = buckets_[top_];
       if (!bucket.is_heap) {
         std::erase_if(bucket.entries, [&](const Entry& e) { return !is_current(e); });
+        for (Entry& e : bucket.entries) e.tie = tie_of_(e);
         std::make_heap(bucket.entries.begin(), bucket.entries.end(), is_less);
         bucket.is_heap = true;
       }
@@ -73,6 +88,7 @@ class UrgencyQueue {
     return bits < kOne ? 0 : static_cast<std::size_t>(bits - kOne);
   }
 
+  TieOf tie_of_;
   std::array<Bucket, 4 * 1024 + 1> buckets_;
   std::size_t top_ = 0;
 };

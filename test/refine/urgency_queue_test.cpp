@@ -12,15 +12,19 @@
 namespace sinkmesh {
 namespace {
 
-using Entry = UrgencyQueue::Entry;
+using Entry = UrgencyEntry;
 
 // A multiset is the oracle: pushes and pops in random order, with entries that die while they wait.
 TEST(UrgencyQueue, PopsLivingEntriesByPriorityThenTie) {
   std::mt19937_64 random(3);
-  UrgencyQueue queue;
+  std::vector<std::uint64_t> ties;
+  std::vector<bool> is_dead;
+  UrgencyQueue queue([&](const Entry& e) {
+    EXPECT_FALSE(is_dead[e.simplex.index()]);
+    return ties[e.simplex.index()];
+  });
   using Key = std::tuple<double, std::uint64_t, std::uint32_t>;
   std::set<Key> alive;
-  std::vector<bool> is_dead;
   const auto is_current = [&](const Entry& e) { return !is_dead[e.simplex.index()]; };
   const auto pop_and_compare = [&] {
     Entry entry;
@@ -38,9 +42,10 @@ TEST(UrgencyQueue, PopsLivingEntriesByPriorityThenTie) {
       const double priority =
           pick == 0 ? std::numeric_limits<double>::infinity()
                     : std::ldexp(1 + static_cast<double>(pick % 8) / 8, static_cast<int>(pick / 8));
-      const Entry entry{priority, random(), Simplex(static_cast<std::uint32_t>(is_dead.size())), 0};
+      const Entry entry{priority, Simplex(static_cast<std::uint32_t>(is_dead.size())), 0};
       is_dead.push_back(false);
-      alive.insert({entry.priority, entry.tie, entry.simplex.index()});
+      ties.push_back(random());
+      alive.insert({entry.priority, ties.back(), entry.simplex.index()});
       queue.push(entry);
     } else if (random() % 2 == 0 && !alive.empty()) {
       auto victim = alive.begin();
