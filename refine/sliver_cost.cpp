@@ -21,7 +21,11 @@ template <int Dim>
 auto SliverCost<Dim>::operator()(Corners<Dim> corners) const -> Cost {
   constexpr std::array<Cost, 3> kSteps = {1000, 200, kSliver};
   sort_corners(corners);
-  Cost cost = shape<Dim>(corners).ratio2() <= max_ratio2_ ? 0 : kLow;
+  Cost cost = 0;
+  if (const double ratio2 = shape<Dim>(corners).ratio2(); !(ratio2 <= max_ratio2_)) {
+    const double excess = std::ceil(kRatioSlope * (std::sqrt(ratio2 / max_ratio2_) - 1));
+    cost = kLow + static_cast<Cost>(std::min(kMostForRatio, excess));
+  }
   const auto cotangents = cotangents2<Dim>(corners);
   const double largest = *std::max_element(cotangents.begin(), cotangents.end());
   if (largest <= largest_cotangent2_) return cost;

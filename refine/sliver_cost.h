@@ -13,7 +13,8 @@ namespace sinkmesh {
 
 /// Cost of a simplex by its smallest (dihedral) angle and its ratio r/l [OS, 3]. With t the least angle that is
 /// good enough: 0 from 4/3 t on, then up to 30 as the sine of the angle falls to 0; 50 more below t, 200 below
-/// 2/3 t, 1000 below t/3; 2^32 more if r/l is above the bound.
+/// 2/3 t, 1000 below t/3. If r/l is above the bound, 2^32 more, and, up to 1000, 50 for each multiple of the
+/// bound: where a simplex of low quality cannot be mended, a better one is worth more.
 ///
 /// Costs are whole numbers so that their sums are exact: they do not depend on the order of summation, and one
 /// that falls at every step falls by one at least.
@@ -33,6 +34,8 @@ class SliverCost {
 
  private:
   static constexpr Cost kSlope = 30;
+  static constexpr double kRatioSlope = 50;
+  static constexpr double kMostForRatio = 1000;
 
   double max_ratio2_;
   double least_sine_;               // of 4/3 t

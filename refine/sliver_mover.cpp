@@ -41,6 +41,9 @@ SliverResult SliverMover<Dim>::run() {
   const std::vector<Simplex> inside = editor_->domain().simplices();
   max_simplices_ = num_simplices_ = inside.size();
   result_.cost_before = cost(inside);
+  for (const Simplex s : inside) {
+    if (is_low(cost(s))) worst_ratio2_ = std::max(worst_ratio2_, shape<Dim>(complex().corners(s)).ratio2());
+  }
   do {
     while (move_all()) {
     }
@@ -83,16 +86,6 @@ bool SliverMover<Dim>::move_all() {
   return is_promising;
 }
 
-// Of the simplices of low quality among these the largest (r/l)^2; 0 if there is none.
-template <int Dim>
-double SliverMover<Dim>::worst_low_ratio2(const std::vector<Simplex>& simplices) {
-  double worst = 0;
-  for (const Simplex s : simplices) {
-    if (is_low(cost(s))) worst = std::max(worst, shape<Dim>(complex().corners(s)).ratio2());
-  }
-  return worst;
-}
-
 template <int Dim>
 bool SliverMover<Dim>::is_tolerable(Cost cost, const Corners<Dim>& corners) const {
   return !is_low(cost) || shape<Dim>(corners).ratio2() <= worst_ratio2_;
@@ -103,6 +96,34 @@ template <int Dim>
 bool SliverMover<Dim>::has_room() const {
   const Cavity<Dim>& cavity = editor_->cavity();
   return num_simplices_ + cavity.num_facets() <= max_simplices_ + cavity.num_simplices();
+}
+
+// Those that have spoilt other places come first: most places are bad for the same few reasons, and one is
+// enough.
+template <int Dim>
+void SliverMover<Dim>::order_facets() {
+  const Cavity<Dim>& cavity = editor_->cavity();
+  facets_.resize(cavity.num_facets());
+  std::size_t front = 0;
+  for (std::size_t i = 0; i < facets_.size(); ++i) {
+    facets_[i] = i;
+    const bool is_obstacle =
+        std::find(obstacles_.begin(), obstacles_.end(), cavity.facet(i).outer) != obstacles_.end();
+    if (is_obstacle) std::swap(facets_[front++], facets_[i]);
+  }
+}
+
+// The last one comes first.
+template <int Dim>
+void SliverMover<Dim>::remember_obstacle(std::uint32_t outer) {
+  constexpr std::size_t kMost = 4;
+  const auto known = std::find(obstacles_.begin(), obstacles_.end(), outer);
+  if (known != obstacles_.end()) {
+    std::rotate(obstacles_.begin(), known, known + 1);
+    return;
+  }
+  if (obstacles_.size() == kMost) obstacles_.pop_back();
+  obstacles_.insert(obstacles_.begin(), outer);
 }
 
 // While the prestar of x is found: whether inserting x is worth more than the best so far. `change` is what has
@@ -120,13 +141,15 @@ bool SliverMover<Dim>::is_better(const Point<Dim>& x, Cost change, Place& best) 
     std::copy(facet.begin(), facet.end(), corners.begin());
     return corners;
   };
-  for (std::size_t i = 0; i < cavity.num_facets() && change + star < best.change; ++i) {
+  order_facets();
+  for (const std::size_t i : facets_) {
     const Cost cost = cost_of_(corners_on(i));
-    if (!is_tolerable(cost, corners_on(i))) return false;
     star += cost;
+    if (change + star < best.change && is_tolerable(cost, corners_on(i))) continue;
+    if (cost >= SliverCost<Dim>::kSliver) remember_obstacle(cavity.facet(i).outer);
+    return false;
   }
   change += star;
-  if (change >= best.change) return false;
   for (const Simplex s : fresh_) {
     if (editor_->is_in_prestar(s)) continue;
     if (!is_tolerable(s) || !editor_->has_center_inside(complex().corners(s), s)) return false;
@@ -155,7 +178,7 @@ bool SliverMover<Dim>::is_stuck(Vertex v, const std::vector<Simplex>& star) {
   if (v.index() >= tries_.size()) tries_.resize(complex().num_vertices());
   Tries& tries = tries_[v.index()];
   if (std::exchange(tries.star, fingerprint) != fingerprint) tries.number = 0;
-  return tries.number == kMaxTries;
+  return tries.are_enough();
 }
 
 // Twenty places are enough for nine vertices of ten [OS, 3]. Each time that v is tried again with the same star
@@ -170,7 +193,6 @@ bool SliverMover<Dim>::move(Vertex v) {
 
   ++result_.tried;
   const Cost before = cost(star);
-  worst_ratio2_ = worst_low_ratio2(star);
   const auto& places = places_.around(complex(), star, v, pass_, kPlaces << (2 * tries_[v.index()].number));
   num_simplices_ -= star.size();
   Place best{complex().point(v), 0};
@@ -179,6 +201,7 @@ bool SliverMover<Dim>::move(Vertex v) {
   for (const Simplex s : fresh_) forget(s);
   const Cost without = cost(fresh_) - before;
   const Simplex near = fresh_.front();
+  obstacles_.clear();
   for (const Point<Dim>& x : places) {
     editor_->look(x, near, [&] { return is_better(x, without, best); });
   }
@@ -192,7 +215,12 @@ bool SliverMover<Dim>::move(Vertex v) {
     return true;
   }
   put(best, near, v);
-  if (best.change == 0) return ++tries_[v.index()].number < kMaxTries;
+  if (best.change == 0) {
+    Tries& tries = tries_[v.index()];
+    ++tries.number;
+    ++tries.total;
+    return !tries.are_enough();
+  }
   ++result_.moved;
   return true;
 }
@@ -225,7 +253,7 @@ template <int Dim>
 bool SliverMover<Dim>::pick(Simplex s) {
   constexpr int kPlaces = 60;                 // most are refused near the boundary
   Place best{{}, -SliverCost<Dim>::kSliver};  // less is not worth a point
-  worst_ratio2_ = worst_low_ratio2({s});
+  obstacles_.clear();
   fresh_.clear();
   bool found = false;
   for (const Point<Dim>& x : places_.in_sphere(complex().corners(s), pass_, kPlaces)) {

@@ -26,16 +26,16 @@ namespace sinkmesh {
 ///
 /// The mesh stays exactly Delaunay, the boundary as it is and stable. No step makes an edge shorter than the
 /// shortest, puts a circumcenter beyond the boundary, or lets the number of simplices of low quality or the
-/// largest r/l grow: where one cannot be mended, a better one may take its place. The mesh never has more
-/// simplices than at the beginning. All this is decided before anything is changed for good; rounded numbers
-/// only say which places are tried, and what they cost.
+/// largest r/l of the mesh grow: where one cannot be mended, another may take its place, if the cost falls. The
+/// mesh never has more simplices than at the beginning. All this is decided before anything is changed for
+/// good; rounded numbers only say which places are tried, and what they cost.
 ///
 /// Why it ends. The cost of the mesh is the sum of SliverCost over its simplices: a whole number, not negative.
 /// A move or a pick is taken only if the cost falls, a removal if it does not grow; so each step makes the pair
 /// (cost, number of vertices) smaller in lexicographic order, and pairs of natural numbers have no infinite
 /// falling sequence: there are finitely many steps. A pass goes once through a list made at its beginning, and
 /// only one that has taken a step, or has left a vertex that may be tried again, is followed by another; with
-/// the same star a vertex is tried kMaxTries times.
+/// the same star a vertex is tried kMaxTries times, and only once after kPatience vain tries with any star.
 template <int Dim>
 class SliverMover {
  public:
@@ -53,12 +53,16 @@ class SliverMover {
     Point<Dim> point;
     Cost change;  // of the cost of the mesh
   };
-  /// How often no better place was found for a vertex with the same star.
+  /// How often no better place was found for a vertex.
   struct Tries {
     std::uint64_t star = 0;
-    int number = 0;
+    int number = 0;  // with this star
+    int total = 0;
+    bool are_enough() const { return number >= (total < kPatience ? kMaxTries : 1); }
   };
   static constexpr int kMaxTries = 3;
+  // Where a small angle of the surface is the reason for slivers, stars change all the time, and nothing helps.
+  static constexpr int kPatience = 6;
   /// A vertex to move, or a sliver to pick in.
   struct Entry {
     Cost cost;
@@ -78,7 +82,6 @@ class SliverMover {
   }
   bool is_sliver(Simplex s) { return cost(s) >= SliverCost<Dim>::kSliver; }
   static bool is_low(Cost cost) { return cost >= SliverCost<Dim>::kLow; }
-  double worst_low_ratio2(const std::vector<Simplex>& simplices);
   bool is_tolerable(Cost cost, const Corners<Dim>& corners) const;
   bool is_tolerable(Simplex s) { return is_tolerable(cost(s), complex().corners(s)); }
   bool has_room() const;
@@ -92,6 +95,8 @@ class SliverMover {
   bool pick_all();
   bool pick(Simplex s);
   bool is_better(const Point<Dim>& x, Cost change, Place& best);
+  void order_facets();
+  void remember_obstacle(std::uint32_t outer);
   bool may_continue() { return budget_.may_continue(num_vertices_, complex().bytes()); }
 
   InteriorEditor<Dim>* editor_;
@@ -103,12 +108,14 @@ class SliverMover {
   std::size_t max_simplices_ = 0;
   std::uint64_t pass_ = 0;
   SliverResult result_;
-  double worst_ratio2_ = 0;  // (r/l)^2 that a new simplex may have
+  double worst_ratio2_ = 0;  // (r/l)^2 that a simplex of low quality may have: the largest at the beginning
 
   std::vector<Cost> costs_;     // by simplex; -1: not known
   std::vector<Tries> tries_;    // by vertex
   std::vector<Simplex> fresh_;  // what has filled the star of the vertex that is out
   Places<Dim> places_;
+  std::vector<std::size_t> facets_;       // of a prestar, in the order in which they are looked at
+  std::vector<std::uint32_t> obstacles_;  // outer half-facets that have spoilt places around this vertex
 };
 
 extern template class SliverMover<2>;
