@@ -170,7 +170,7 @@ struct Rejections {
 enum class LeftoverReason : std::uint8_t {
   small_angle,     ///< only because the surface has a small angle there: see Leftover
   boundary_facet,  ///< has a boundary facet whose own r/l exceeds the bound: nothing inside can mend it
-  untried,         ///< the run ended before, or it came when points had been moved
+  untried,         ///< the run ended before, or it came when points had been moved, and none is refused
   boundary,        ///< a point for it was rejected for this reason ...
   crossing,
   separation,  ///< or its shortest edge is at the floor, below which no edge is made shorter

@@ -82,7 +82,10 @@ RefineResult Refiner<Dim>::run() {
 
 template <int Dim>
 RefineResult Refiner<Dim>::look() {
-  find_leftovers();
+  inserter_.measure_all();
+  if (conformer_ == nullptr) test_points();
+  classify_remaining(conformer_ == nullptr);
+  if (conformer_ != nullptr) conformer_->on_removal = nullptr;
   result_.centers_beyond = count_centers_beyond();
   return result_;
 }
@@ -90,8 +93,8 @@ RefineResult Refiner<Dim>::look() {
 template <int Dim>
 void Refiner<Dim>::find_leftovers() {
   inserter_.measure_all();
-  if (conformer_ == nullptr) test_points();
-  classify_remaining(conformer_ == nullptr);
+  test_points();
+  classify_remaining(true);
   if (conformer_ != nullptr) conformer_->on_removal = nullptr;
 }
 
