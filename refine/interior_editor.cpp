@@ -18,7 +18,7 @@ InteriorEditor<Dim>::InteriorEditor(Triangulation<Dim>& triangulation, Domain<Di
       boundary_(boundary),
       num_given_(num_given) {
   for (const Simplex s : complex().simplices()) {
-    if (complex().is_ghost(s)) continue;
+    if (!domain.is_inside(s)) continue;
     separation2_ = std::min(separation2_, shape<Dim>(complex().corners(s)).shortest2);
   }
 }

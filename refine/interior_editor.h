@@ -32,7 +32,7 @@ class InteriorEditor {
 
   /// @param boundary   null if it is kept as given.
   /// @param num_given  vertices with a smaller id are not touched.
-  /// Requires a stable domain. Linear: the shortest edge is what vertices that come must keep from others.
+  /// Requires a stable domain. Linear: the shortest edge inside is what vertices that come keep from others.
   InteriorEditor(Triangulation<Dim>& triangulation, Domain<Dim>& domain, Flow<Dim>& flow,
                  Boundary<Dim>* boundary, std::uint32_t num_given);
 

@@ -26,7 +26,10 @@ class MeshSuite : public SurfaceSuite<Dim> {
 
   static std::string run(const Surface<Dim>& surface, const RefineOptions& options, Counters& counters) {
     CheckedRun<Dim> run(surface, counters);
-    if (run.find_domain(options)) run.refine(options);
+    if (run.find_domain(options)) {
+      run.refine(options);
+      run.improve(options);
+    }
     return run.summary();
   }
 };

@@ -321,6 +321,50 @@ void expect_separated(const Surface<Dim>& surface, const Mesh<Dim>& mesh, double
 }
 
 template <int Dim>
+void expect_no_worse(const Mesh<Dim>& before, const Mesh<Dim>& after, double max_ratio) {
+  using Facet = std::array<Point<Dim>, Dim>;
+  const auto boundary_of = [](const Mesh<Dim>& mesh) {
+    const auto& parent = field(mesh.boundary_fields, "parent", mesh.boundary.size());
+    std::vector<std::pair<Facet, std::int64_t>> facets;
+    for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
+      Facet facet;
+      for (std::size_t k = 0; k < Dim; ++k) facet[k] = mesh.points[mesh.boundary[i][k]];
+      std::sort(facet.begin(), facet.end());
+      facets.emplace_back(facet, parent[i]);
+    }
+    std::sort(facets.begin(), facets.end());
+    return facets;
+  };
+  if (boundary_of(after) != boundary_of(before)) throw CheckFailed("boundary: has changed");
+  if (after.simplices.size() > before.simplices.size())
+    throw CheckFailed(differ("simplices after improvement", after.simplices.size(), before.simplices.size()));
+  struct Quality {
+    std::size_t low = 0;
+    double worst2 = 0;
+    double shortest2 = HUGE_VAL;
+  };
+  const auto quality_of = [&](const Mesh<Dim>& mesh) {
+    Quality quality;
+    for (const auto& simplex : mesh.simplices) {
+      Corners<Dim> corners;
+      for (std::size_t i = 0; i <= Dim; ++i) corners[i] = &mesh.points[simplex[i]];
+      const Shape s = shape<Dim>(corners);
+      quality.low += s.ratio2() > max_ratio * max_ratio ? 1 : 0;
+      quality.worst2 = std::max(quality.worst2, s.ratio2());
+      quality.shortest2 = std::min(quality.shortest2, s.shortest2);
+    }
+    return quality;
+  };
+  const Quality old = quality_of(before);
+  const Quality now = quality_of(after);
+  if (now.low > old.low) throw CheckFailed(differ("of low quality after improvement", now.low, old.low));
+  if (!(now.worst2 <= std::max(old.worst2, max_ratio * max_ratio) * (1 + 1e-9)))
+    throw CheckFailed(differ("largest r/l after improvement", now.worst2, old.worst2));
+  if (!(now.shortest2 >= old.shortest2 * (1 - 1e-12)))
+    throw CheckFailed(differ("shortest edge after improvement", now.shortest2, old.shortest2));
+}
+
+template <int Dim>
 void expect_leftovers(const Mesh<Dim>& mesh, const std::vector<Leftover<Dim>>& leftovers,
                       const Promise& promise, Counters& counters) {
   const double max_ratio2 = promise.options.max_ratio * promise.options.max_ratio;
@@ -345,7 +389,7 @@ void expect_leftovers(const Mesh<Dim>& mesh, const std::vector<Leftover<Dim>>& l
   const Remaining& remaining = promise.result.remaining;
   expect_equal("simplices of low quality in the list", leftovers.size(), low.size());
   expect_equal("simplices of low quality in the sum of reasons", remaining.total(), low.size());
-  if (promise.is_done()) {
+  if (promise.is_done() && !promise.is_improved) {
     expect_equal("untried after a finished run", remaining.untried, 0U);
     expect_equal("centers beyond after a finished run", promise.result.centers_beyond, 0U);
   }
@@ -379,7 +423,8 @@ void expect_leftovers(const Mesh<Dim>& mesh, const std::vector<Leftover<Dim>>& l
     // boundary need not be Gabriel on their outer sides: there a prestar may cross them from farther away.
     const bool is_barred = leftover.reason == LeftoverReason::boundary ||
                            (leftover.reason == LeftoverReason::crossing && promise.is_divided());
-    if (!is_barred || promise.options.insert != Insert::circumcenter) continue;
+    // The point was refused before others have moved.
+    if (!is_barred || promise.is_improved || promise.options.insert != Insert::circumcenter) continue;
     std::array<RationalPoint<Dim>, Dim + 1> corners;
     for (std::size_t i = 0; i <= Dim; ++i) corners[i] = test::rational<Dim>(mesh.points[leftover.corners[i]]);
     const auto center = test::orthosphere<Dim>(corners).center;
@@ -420,6 +465,8 @@ template void expect_sound(const Surface<2>&, const Mesh<2>&, const Promise&, Co
 template void expect_sound(const Surface<3>&, const Mesh<3>&, const Promise&, Counters&);
 template void expect_separated(const Surface<2>&, const Mesh<2>&, double);
 template void expect_separated(const Surface<3>&, const Mesh<3>&, double);
+template void expect_no_worse(const Mesh<2>&, const Mesh<2>&, double);
+template void expect_no_worse(const Mesh<3>&, const Mesh<3>&, double);
 template void expect_leftovers(const Mesh<2>&, const std::vector<Leftover<2>>&, const Promise&, Counters&);
 template void expect_leftovers(const Mesh<3>&, const std::vector<Leftover<3>>&, const Promise&, Counters&);
 template void expect_centers_inside(const Mesh<2>&);

@@ -17,7 +17,8 @@ struct Promise {
   RefineOptions options;
   BoundaryResult boundary;
   RefineResult result;
-  bool has_normals = true;  ///< the surface has, outward and into cavities, if it is consistent at all
+  bool is_improved = false;  ///< points have been moved since
+  bool has_normals = true;   ///< the surface has, outward and into cavities, if it is consistent at all
 
   bool is_divided() const { return boundary.mode == BoundaryMode::refine; }
   bool is_done() const { return result.stop == Stop::no_candidate; }
@@ -35,6 +36,12 @@ void expect_sound(const Surface<Dim>& surface, const Mesh<Dim>& mesh, const Prom
 /// @throws CheckFailed
 template <int Dim>
 void expect_separated(const Surface<Dim>& surface, const Mesh<Dim>& mesh, double separation);
+
+/// What moving points and taking them away promises: the same boundary with the same parents, not more
+/// simplices, not more of low quality, no larger r/l and no shorter edge.
+/// @throws CheckFailed
+template <int Dim>
+void expect_no_worse(const Mesh<Dim>& before, const Mesh<Dim>& after, double max_ratio);
 
 /// The simplices of low quality are those listed, each with a reason that is one.
 /// @throws CheckFailed

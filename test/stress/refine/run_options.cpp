@@ -48,6 +48,10 @@ void draw_options(Random& random, int dim, Case& c) {
   c.set("literal", may_be_literal && random() % 4 == 0 ? 1U : 0U);
   c.set("fallback", random() % 2);
   c.set("tags", random() % 2);
+  c.set("coarsen", random() % 4 == 0 ? 1U : 0U);
+  c.set("slivers", random() % 3 == 0 ? 1U : 0U);
+  c.set("min-dihedral-tenths",
+        random() % 2 == 0 ? 0U : static_cast<unsigned>(test::uniform_int(random, 10, dim == 2 ? 450 : 300)));
 }
 
 RefineOptions options_of(const Case& c) {
@@ -67,6 +71,11 @@ RefineOptions options_of(const Case& c) {
   }
   options.literal = c.number_setting("literal") != 0;
   options.fallback = c.number_setting("fallback") != 0 ? Fallback::circumcenter : Fallback::none;
+  options.coarsen = c.number_setting("coarsen") != 0;
+  options.slivers = c.number_setting("slivers") != 0;
+  if (const auto angle = c.number_setting("min-dihedral-tenths"); angle != 0) {
+    options.min_dihedral = static_cast<double>(angle) / 10;
+  }
   return options;
 }
 

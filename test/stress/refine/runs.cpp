@@ -16,7 +16,8 @@ std::vector<NamedCounter> run_counters(bool is_stopped) {
           {"barred", 0},
           {"stopped", is_stopped ? 0.1 : 0},
           {"floor", 0},
-          {"with-leftovers", 0.05}};
+          {"with-leftovers", 0.05},
+          {"improved", 0.02}};
 }
 
 template <int Dim>
@@ -103,6 +104,19 @@ bool CheckedRun<Dim>::find_domain(RefineOptions options, std::shared_ptr<Stopper
 }
 
 template <int Dim>
+void CheckedRun<Dim>::expect_known_mesh(const Mesh<Dim>& mesh, Schedule schedule) {
+  const ValidationReport report = mesher_->triangulation().validate();
+  if (!report.ok())
+    throw CheckFailed("invariant " + report.violations[0].invariant + ": " + report.violations[0].message);
+  expect_sound(surface_, mesh, promise_, *counters_);
+  expect_separated(surface_, mesh, promise_.result.separation);
+  expect_leftovers(mesh, mesher_->leftovers(), promise_, *counters_);
+  if (promise_.is_divided() && promise_.is_done() && schedule != Schedule::block &&
+      mesh.simplices.size() <= 400)
+    expect_centers_inside(mesh);
+}
+
+template <int Dim>
 void CheckedRun<Dim>::refine(RefineOptions options, std::shared_ptr<Stopper> stopper) {
   if (stopper) options.should_continue = [stopper] { return stopper->poll(); };
   const std::size_t before = mesher_->mesh().points.size();
@@ -122,6 +136,7 @@ void CheckedRun<Dim>::refine(RefineOptions options, std::shared_ptr<Stopper> sto
             quality.low_quality());
   };
   promise_.options = options;
+  promise_.is_improved = false;
   try {
     promise_.result = mesher_->refine(options);
   } catch (const InputError& error) {
@@ -143,19 +158,41 @@ void CheckedRun<Dim>::refine(RefineOptions options, std::shared_ptr<Stopper> sto
     throw CheckFailed("points on the boundary: more than points");
   if (mesher_->num_vertices() > std::max(options.max_vertices, before))
     throw CheckFailed(differ("vertices above the limit", mesher_->num_vertices(), options.max_vertices));
-  const ValidationReport report = mesher_->triangulation().validate();
-  if (!report.ok())
-    throw CheckFailed("invariant " + report.violations[0].invariant + ": " + report.violations[0].message);
-  expect_sound(surface_, mesh, promise_, *counters_);
-  expect_separated(surface_, mesh, result.separation);
-  expect_leftovers(mesh, mesher_->leftovers(), promise_, *counters_);
-  if (promise_.is_divided() && promise_.is_done() && options.schedule != Schedule::block &&
-      mesh.simplices.size() <= 400)
-    expect_centers_inside(mesh);
+  expect_known_mesh(mesh, options.schedule);
   if (!seen.empty()) throw CheckFailed(seen);
   if (result.stop == Stop::budget || result.stop == Stop::cancelled) ++counters_->named[kStopped];
   if (result.stop == Stop::floor) ++counters_->named[kFloor];
   if (result.remaining.total() != 0) ++counters_->named[kLeft];
+}
+
+template <int Dim>
+void CheckedRun<Dim>::improve(RefineOptions options, std::shared_ptr<Stopper> stopper) {
+  if (!options.coarsen && !options.slivers) return;
+  if (stopper) {
+    stopper->has_answered = false;
+    options.should_continue = [stopper] { return stopper->poll(); };
+  }
+  const Mesh<Dim> before = mesher_->mesh();
+  const Improvement result = mesher_->improve(options);
+  expect_stop(result.stop(), options, stopper.get());
+  const SliverResult& moving = result.moving;
+  const Mesh<Dim> mesh = mesher_->mesh();
+  std::ostringstream out;
+  out << "improved: " << name(result.stop()) << ", less " << result.coarsening.removed << " and "
+      << moving.removed << " points, " << moving.moved << " moved, " << moving.inserted << " added, cost "
+      << moving.cost_after << ", left " << result.remaining.total() << ", hash " << mesher_->hash();
+  note(out.str());
+  expect_equal("points taken away and added", mesh.points.size() + result.coarsening.removed + moving.removed,
+               before.points.size() + moving.inserted);
+  if (moving.cost_after > moving.cost_before)
+    throw CheckFailed(differ("cost that has grown", moving.cost_after, moving.cost_before));
+  promise_.options = options;
+  promise_.result.remaining = result.remaining;
+  promise_.is_improved = true;
+  expect_no_worse(before, mesh, options.max_ratio);
+  expect_known_mesh(mesh, options.schedule);
+  if (result.coarsening.removed + moving.removed + moving.moved + moving.inserted != 0)
+    ++counters_->named[kImproved];
 }
 
 template class CheckedRun<2>;

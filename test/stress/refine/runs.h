@@ -23,7 +23,8 @@ enum RunCounter : std::size_t {
   kBarred,       ///< leftovers that the boundary bars, looked at
   kStopped,      ///< ended by a budget or on request
   kFloor,        ///< ended by the floor
-  kLeft          ///< with simplices of low quality left
+  kLeft,         ///< with simplices of low quality left
+  kImproved      ///< with points that have been moved, added or taken away after refinement
 };
 std::vector<NamedCounter> run_counters(bool is_stopped);
 
@@ -55,6 +56,9 @@ class CheckedRun {
   bool find_domain(RefineOptions options, std::shared_ptr<Stopper> stopper = {});
   /// @throws CheckFailed
   void refine(RefineOptions options, std::shared_ptr<Stopper> stopper = {});
+  /// After refine(): as far as the options ask for it.
+  /// @throws CheckFailed
+  void improve(RefineOptions options, std::shared_ptr<Stopper> stopper = {});
 
   /// Of everything that it did: equal for the same input.
   std::string summary() const { return summary_; }
@@ -65,6 +69,7 @@ class CheckedRun {
  private:
   void refused(const std::string& message, const RefineOptions& options);
   void expect_stop(Stop stop, const RefineOptions& options, const Stopper* stopper) const;
+  void expect_known_mesh(const Mesh<Dim>& mesh, Schedule schedule);
   void note(const std::string& what) { summary_ += what + "; "; }
 
   Surface<Dim> surface_;

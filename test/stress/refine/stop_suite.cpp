@@ -57,8 +57,10 @@ class StopSuite : public SurfaceSuite<Dim> {
     const bool has_domain = stops_conforming ? run.find_domain(limited, stopper) : run.find_domain(generous);
     if (!has_domain) return run.summary();
     run.refine(limited, stopper);
+    run.improve(limited, stopper);
     // And it can go on where it stopped.
     run.refine(generous);
+    run.improve(generous);
     return run.summary();
   }
 };
