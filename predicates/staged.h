@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "predicates/detail/lanes.h"
+#include "predicates/lanes.h"
 #include "predicates/point.h"
 #include "predicates/polynomials.h"
 #include "predicates/verdict.h"

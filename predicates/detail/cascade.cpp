@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The stages in their order, once for all polynomials.
-#include "predicates/detail/lanes.h"
 #include "predicates/detail/stages.h"
+#include "predicates/lanes.h"
 
 namespace sinkmesh::detail {
 namespace {

@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "predicates/detail/lanes.h"
 #include "predicates/detail/stages.h"
+#include "predicates/lanes.h"
 #include "predicates/staged.h"
 #include "test/support/clouds.h"
 #include "test/support/polynomial_oracle.h"
