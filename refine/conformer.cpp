@@ -191,6 +191,7 @@ bool Conformer<Dim>::insert_alike(SubFacet f, Vertex q) {
       triangulation_->announce(x);
       if (triangulation_->predicates().diametral_side(boundary_->corner_points(f), x) >= 0) continue;
       if (is_inside_collar(boundary_->sub_facets()[f].owner, x)) continue;
+      if (distance2_of_segments(*at, x) < kCloseness2 * radius2) continue;
       if (insert_on_patch(*at, x, q, kCloseness2 * radius2)) return true;
     }
     return false;
@@ -246,6 +247,20 @@ std::vector<SubFacet> Conformer<Dim>::destroyed_by(const PatchTriangulation::Loc
     }
   }
   return found;
+}
+
+// Of those at sub-facets of the patch that x would destroy: next to one that x is not on, it could not be
+// divided.
+template <int Dim>
+double Conformer<Dim>::distance2_of_segments(const PatchTriangulation::Location& at,
+                                             const Point<Dim>& x) const {
+  double least2 = HUGE_VAL;
+  for (const SubFacet f : destroyed_by(at, x)) {
+    for (const SubSegment& s : boundary_->sub_segments(f)) {
+      least2 = std::min(least2, boundary_->features().distance2(x, {Kind::segment, s.segment}));
+    }
+  }
+  return least2;
 }
 
 // The largest first.

@@ -118,6 +118,7 @@ class Conformer {
   bool insert_on_patch(const PatchTriangulation::Location& at, const Point<Dim>& x, Vertex culprit,
                        double distance2);
   std::vector<SubFacet> destroyed_by(const PatchTriangulation::Location& at, const Point<Dim>& x) const;
+  double distance2_of_segments(const PatchTriangulation::Location& at, const Point<Dim>& x) const;
   void sort_by_size(std::vector<SubFacet>& facets) const;
   std::optional<SubSegment> encroached_segment(const std::vector<SubFacet>& destroyed,
                                                const Point<Dim>& x) const;

@@ -131,6 +131,7 @@ std::optional<Point<Dim>> Conformer<Dim>::sphere_point(SubFacet f, Vertex q) con
     const Point3& p = complex().point(q);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vertex v = corners[k];
+      if (collars_->radius(v) != 0) continue;  // arcs are divided there
       if (features.vertex(v).on.kind != Kind::corner || !features.has_corner(features.vertex(q).on, v))
         continue;
       const Point3& center = complex().point(v);
@@ -173,8 +174,7 @@ void Conformer<Dim>::divide_at_collars() {
     for (const Vertex end : {rest.u, rest.v}) {
       const double part = collars_->radius(end) / length;
       if (part == 0) continue;
-      const auto away = [&](double t) { return end == rest.v ? 1 - t : t; };
-      const double t = away(part * apart<Dim>(features.point_at(rest.segment, away(part))));
+      const double t = end == rest.v ? 1 - part : part;
       const auto w = Vertex(static_cast<std::uint32_t>(complex().num_vertices()));
       if (insert_on_segment(rest, t, {}, 0)) (end == rest.v ? rest.v : rest.u) = w;
     }
@@ -204,7 +204,8 @@ bool Conformer<Dim>::is_inside_collar(std::uint32_t patch, const Point<Dim>& x) 
 }
 
 // On the collar, between the two sides of a sub-facet at its corner: a power of two away from a side that is
-// part of a segment, if only one is; else in the middle.
+// part of a segment, if only one is; else in the middle. Exactly on it: short arcs would feel the least
+// difference.
 template <int Dim>
 Point<Dim> Conformer<Dim>::point_on_arc(SubFacet f, Vertex corner) const {
   const auto& corners = boundary_->sub_facets()[f].corners;
@@ -234,7 +235,7 @@ Point<Dim> Conformer<Dim>::point_on_arc(SubFacet f, Vertex corner) const {
     way[k] = std::sin((1 - part) * angle) * sides[0][k] + std::sin(part * angle) * sides[1][k];
   }
   Point<Dim> x = center;
-  const double scale = radius * apart<Dim>(way) / std::sqrt(dot(way, way));
+  const double scale = radius / std::sqrt(dot(way, way));
   for (std::size_t k = 0; k < Dim; ++k) x[k] += scale * way[k];
   return x;
 }

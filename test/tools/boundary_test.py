@@ -271,10 +271,30 @@ class Boundary(ProgramTest):
                   (0, 0.5668815773286727, 0.8237992942976803),
                   (0.8375315159647386, 1.0169964653531662, 0.5140614255368449),
                   (0.29114249725571784, 1.7069543371569842, 0.039280238704279546)]
-        source = self.write("in.off", off((points, [(0, 2, 1), (3, 4, 5), (0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (2, 0, 3), (2, 3, 5)])))
-        line = self.fail_with_one_line(3, "refine", source, "-o", self.path("out.mesh"), "--flat", 0)
-        self.assertIn("at --flat 0 facets that are in one plane up to rounding are not joined: leave it out", line)
-        self.refine(source)
+        surface = (points, [(0, 2, 1), (3, 4, 5), (0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (2, 0, 3), (2, 3, 5)])
+        joined = self.refine_surface(surface)
+        self.check(surface, joined)
+        self.assertEqual(joined["boundary"]["joined_facets"], 3)
+        single = self.refine_surface(surface, "--flat", 0)
+        self.check(surface, single)
+        self.assertEqual(single["boundary"]["joined_facets"], 0)
+        self.assertGreater(single["final"]["vertices"], joined["final"]["vertices"])
+
+    def test_webs_of_small_angles_conform(self):
+        """Facets of 5 to 8 degrees above each other; images of points next to segments, and short arcs on collars."""
+        for surface in (
+            ([(669, 521, 5), (563, 495, 27.7), (907, 449, 91.5), (825, 755, 72.8), (587, 863, 92.9),
+              (980, 921, 97.9), (321, 207, 91.4)],
+             [(0, 1, 2), (1, 3, 2), (0, 1, 3), (0, 3, 2), (4, 1, 3), (0, 4, 3), (0, 5, 4), (5, 4, 3),
+              (0, 5, 3), (6, 4, 1), (6, 1, 3), (6, 4, 3)]),
+            ([(5, 0, 3), (4, 1, 5), (5, 0, 4), (5, 3, 1), (1, 0, 0), (3, 1, 1), (0, 5, 1), (0, 4, 2)],
+             [(0, 1, 2), (1, 3, 2), (0, 1, 3), (0, 3, 2), (4, 0, 3), (4, 0, 5), (4, 5, 3), (6, 7, 1),
+              (6, 7, 3), (7, 1, 3), (6, 1, 3), (4, 1, 2), (4, 5, 1), (4, 5, 2), (5, 1, 2), (0, 5, 2),
+              (5, 1, 3), (7, 4, 1), (7, 5, 1), (6, 7, 4), (6, 7, 5), (6, 4, 5)]),
+        ):
+            report = self.refine_surface(surface)
+            self.check(surface, report)
+            self.assertGreater(report["boundary"]["points_on_segments"], 0)
 
     def test_rings_of_points_around_a_tip_do_not_breed(self):
         """Nearly cocircular corners have to be divided, which once went on, ring by ring, to the tip."""
