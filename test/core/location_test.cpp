@@ -177,6 +177,38 @@ TYPED_TEST(LocationOf, AnyPointOfALargeGridEndsFromAnyStart) {
   EXPECT_LT(most_steps, 6 * Dim * side);
 }
 
+// From a facet that may not be crossed the walk does not go on, and from its simplex it came.
+TYPED_TEST(LocationOf, AWalkStopsWhereItMayNotLeave) {
+  constexpr int Dim = TypeParam::value;
+  Random random(7);
+  std::size_t stopped = 0;
+  const auto points = full_grid<Dim>(Dim == 2 ? 12 : 5);
+  const Triangulation<Dim> triangulation(points);
+  const auto& complex = triangulation.complex();
+  for (int trial = 0; trial < 200; ++trial) {
+    const Point<Dim> p = points[random() % points.size()];
+    const Simplex start(static_cast<std::uint32_t>(random() % complex.num_slots()));
+    if (!complex.is_solid(start)) continue;
+    const int allowed = static_cast<int>(random() % 4);
+    int asked = 0;
+    HalfFacet last;
+    const Location<Dim> at = visibility_walk<Dim>(
+        complex, triangulation.predicates(), triangulation.gate().in(p), start, [](Simplex) { return false; },
+        [&](HalfFacet h) {
+          last = h;
+          return ++asked <= allowed;
+        });
+    ASSERT_LE(asked, allowed + 1);
+    ASSERT_EQ(at.steps, std::min(asked, allowed) + 1);
+    if (asked <= allowed) continue;
+    ++stopped;
+    ASSERT_EQ(at.simplex, Complex<Dim>::simplex_of(last));
+    const auto signs = signs_in(triangulation, at.simplex, p);
+    ASSERT_EQ(signs[static_cast<std::size_t>(Complex<Dim>::corner_of(last))], -1);
+  }
+  EXPECT_GE(stopped, 20U);
+}
+
 TYPED_TEST(LocationOf, APointNextToItsHintTakesOneStep) {
   constexpr int Dim = TypeParam::value;
   auto points = full_grid<Dim>(4);

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <set>
 #include <sstream>
+#include <string>
 
 #include "core/retriangulator.h"
 #include "core/triangulation.h"
@@ -250,6 +252,27 @@ void expect_d2_from_subdivision(const std::vector<Point<Dim>>& points, const Poi
     EXPECT_GE(report.count("D2"), expected);
   } else {
     EXPECT_EQ(report.count("D2"), expected);
+  }
+}
+
+TYPED_TEST(Validation, NamesTheCornersOfASolidSimplexWithTheirCoordinates) {
+  const Simplex s = this->some_solid();
+  std::swap(this->corner(s, 0), this->corner(s, 1));
+  std::string message;
+  for (const auto& violation : this->triangulation_.validate().violations) {
+    if (violation.invariant == "D1") message = violation.message;
+  }
+  for (int i = 0; i <= TypeParam::value; ++i) {
+    const Vertex v = this->complex_.corner(s, i);
+    std::ostringstream line;
+    line << v << " =";
+    for (const double x : this->complex_.point(v)) {
+      char text[40];
+      std::snprintf(text, sizeof text, " %a", x);
+      line << text;
+    }
+    line << (i == TypeParam::value ? " has no positive volume" : "\n");
+    EXPECT_NE(message.find("\n    " + line.str()), std::string::npos) << line.str() << " in " << message;
   }
 }
 

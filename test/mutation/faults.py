@@ -8,7 +8,7 @@ import re
 NAME = r"[A-Za-z_]\w*(?:(?:\.|->|::)\w+|\[[^\[\]]*\]|\([^()]*\))*"
 NUMBER = r"(?:0x[\da-f.]+p[+-]?\d+|\d+(?:\.\d+)?)"
 OPERAND = rf"(?:{NAME}|{NUMBER})"
-SYMMETRIC = r"(?<!dot\()(?<!max\()(?<!min\()(?<!edge\()(?<!distance2\()(?<!distance\()"
+SYMMETRIC = r"(?<!dot\()(?<!max\()(?<!min\()(?<!edge\()(?<!distance2\()(?<!distance\()(?<!key_of\()"
 PRODUCT = rf"{OPERAND}(?: \* {OPERAND})*"
 
 # Each rule: kind, pattern, replacement. An operator stands between blanks: the layout is that of clang-format, and
@@ -45,6 +45,7 @@ class Fault:
     file: str
     line: int  # from 1
     kind: str
+    above: str  # the line above, without its indentation
     before: str  # the line, without its indentation
     after: str
     text: str  # of the whole file with the fault
@@ -79,7 +80,7 @@ def all_faults(name, text):
                     continue
                 seen.add((number, line))
                 changed = "\n".join([*lines[:number], line, *lines[number + 1:]])
-                found.append(Fault(name, number + 1, kind, lines[number].strip(), line.strip(), changed))
+                found.append(Fault(name, number + 1, kind, lines[number - 1].strip(), lines[number].strip(), line.strip(), changed))
     return found
 
 

@@ -4,21 +4,25 @@
 
     python3 -B test/mutation/mutation_test.py [--scale 1] [--seed 1] [--jobs 2] [--only REGEX] [--list] [--work DIR]
 
-Works on copies of the tracked files, each with a build of its own: the source tree is not touched. A fault counts as
-noticed if a test fails, crashes, or takes far longer than without it. A fault that does not compile, or compiles to
-the same code, is not counted. What nothing notices must stand in equivalent.py, with the argument why it changes no
+Works on copies of the tracked files, each with a build of its own: the source tree is not touched. Files take turns, so
+that whatever part of a run there was has looked everywhere; Ctrl-C ends it with the summary. A fault counts as noticed
+if a test fails, crashes, or takes far more processor time than without it. A fault that does not compile, or compiles
+to the same code, is not counted. What nothing notices must stand in equivalent.py, with the argument why it changes no
 result. Exit status 1 if something else survives, or if less than 95 % of all are noticed.
 """
 import argparse
-import concurrent.futures
+import collections
 import json
 import os
 import pathlib
 import re
 import resource
+import shlex
 import shutil
+import signal
 import subprocess
 import sys
+import threading
 import time
 
 import equivalent
@@ -30,6 +34,17 @@ LAYERS = ["predicates", "core", "refine"]
 FLAGS = ["-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1", "-DSINKMESH_CHECKED=ON",
          "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"]
 MEMORY = 6 << 30  # of one test, in bytes
+WAITING = 20  # times the processor time that a command may take: a busy machine is no fault
+
+# The files of tests that are for a source whose name theirs does not hold.
+NEAR = {
+    "staged": "oracle", "polynomials": "oracle", "predicates": "oracle", "cascade": "oracle", "symbolic": "oracle",
+    "expansion": "arithmetic", "fixed_int": "arithmetic", "scaled_integers": "arithmetic", "grid": "arithmetic",
+    "rounding": "circumcenter|constructions", "quotient": "circumcenter|constructions",
+    "conflict": "insertion|location", "star_linker": "insertion", "first_simplex": "insertion", "star": "insertion",
+    "flip_inserter": "flips", "vertex_remover": "removal", "sink_walk": "watershed|flow",
+    "boundary_features": "boundary_features|boundary_refiner|conformer", "facet_index": "domain", "cells": "domain_regions",
+}
 
 # How many faults in which file. Left out: what decides nothing but speed (orders of points, pages, hashes), and what only
 # describes (reports, options).
@@ -50,19 +65,20 @@ FILES = {
 }
 
 
-def run(command, timeout, **options):
-    """The exit status (None: it took too long) and the output."""
-    def limit_memory():
+def run(command, seconds, **options):
+    """The exit status (None: it took too long) and the output. The seconds are those of the processor."""
+    def limit():
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
         os.setsid()
 
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-                          preexec_fn=limit_memory, **options) as process:
+                          preexec_fn=limit, **options) as process:
         try:
-            output, _ = process.communicate(timeout=timeout)
-            return process.returncode, output
+            output, _ = process.communicate(timeout=WAITING * seconds)
+            return (None if process.returncode == -signal.SIGXCPU else process.returncode), output
         except subprocess.TimeoutExpired:
-            os.killpg(process.pid, 9)
+            os.killpg(process.pid, signal.SIGKILL)
             process.communicate()
             return None, ""
 
@@ -71,6 +87,7 @@ class Slot:
     """A copy of the sources, its build, and a copy of the build from which to restore it."""
 
     def __init__(self, folder):
+        self.folder = folder
         self.source, self.build, self.pristine = folder / "source", folder / "build", folder / "pristine"
         self.executables = [self.build / "test" / f"{layer}_test" for layer in LAYERS]
         self.environment = dict(os.environ, CCACHE_DISABLE="1",
@@ -117,11 +134,26 @@ class Slot:
     def has_other_code(self):
         return any(path.suffix == ".o" and path.read_bytes() != then.read_bytes() for path, then in self.changed())
 
-    def make(self, target):
-        return run(["ninja", "-j1", "-C", self.build, target], 1200, env=self.environment)[0] == 0
+    def make(self, *targets):
+        return run(["ninja", "-j1", "-C", self.build, *targets], 1200, env=self.environment)[0] == 0
 
-    def gtest(self, layer, timeout, *options):
-        return run([self.executables[layer], *options], timeout, env=self.environment, cwd=self.build)
+    def make_part(self, layer, wanted):
+        """An executable of those files of the tests of a layer that match, and of no others; None if it fails."""
+        target = f"{LAYERS[layer]}_test"
+        commands = subprocess.run(["ninja", "-C", self.build, "-t", "commands", target], check=True, text=True,
+                                  stdout=subprocess.PIPE).stdout.splitlines()
+        link = next(shlex.split(part) for part in commands[-1].split(" && ") if f" -o test/{target} " in part)
+        objects = [word for word in link if word.endswith("_test.cpp.o")]
+        chosen = [word for word in objects if re.search(wanted, pathlib.Path(word).name)]
+        libraries = [word for word in link if word.startswith(("predicates/", "core/", "refine/", "tools/"))]
+        part = self.build / f"part_of_{target}"
+        words = [word for word in link if word not in objects or word in chosen]
+        words[words.index(f"test/{target}")] = str(part)
+        made = chosen and self.make(*chosen, *libraries) and run(words, 1200, cwd=self.build)[0] == 0
+        return part if made else None
+
+    def gtest(self, executable, seconds, *options):
+        return run([executable, *options], seconds, env=self.environment, cwd=self.build)
 
 
 class Tests:
@@ -129,66 +161,118 @@ class Tests:
 
     def __init__(self, slot):
         self.cases = []
-        for layer, name in enumerate(LAYERS):
-            report = slot.build / f"{name}.json"
-            status, output = slot.gtest(layer, 1800, f"--gtest_output=json:{report}", "--gtest_brief=1")
-            if status != 0:
-                sys.exit(f"the tests fail without any fault:\n{output[-3000:]}")
+        for name, executable in zip(LAYERS, slot.executables):
+            report = slot.folder / f"{name}.json"
+            if not report.exists() or report.stat().st_mtime < executable.stat().st_mtime:
+                status, output = slot.gtest(executable, 1800, f"--gtest_output=json:{report}", "--gtest_brief=1")
+                if status != 0:
+                    report.unlink(missing_ok=True)
+                    sys.exit(f"the tests fail without any fault:\n{output[-3000:]}")
             suites = json.loads(report.read_text(encoding="utf-8"))["testsuites"]
             self.cases.append([(f"{suite['name']}.{case['name']}", float(case["time"].rstrip("s")),
                                 pathlib.Path(case["file"]).stem) for suite in suites for case in suite["testsuite"]])
 
-    def rounds(self, layer, stem):
-        """The tests that say in their name that they are for it; quick ones; slow ones. Each with its time."""
-        stem = re.sub(r"^(?:staged|polynomials)$", "oracle", stem)
-        near = [case for case in self.cases[layer] if stem in case[2]]
-        rest = [case for case in self.cases[layer] if stem not in case[2]]
-        for chosen in (near, [case for case in rest if case[1] < 0.15], [case for case in rest if case[1] >= 0.15]):
-            if chosen:
-                yield ":".join(case[0] for case in chosen), sum(case[1] for case in chosen)
+    def near(self, layer, wanted):
+        return [case for case in self.cases[layer] if re.search(wanted, case[2])]
+
+    def rounds(self, layer, near):
+        """Those of `near` first, then quick ones, then slow ones."""
+        rest = [case for case in self.cases[layer] if case not in near]
+        return [chosen for chosen in (near, [case for case in rest if case[1] < 0.15],
+                                      [case for case in rest if case[1] >= 0.15]) if chosen]
 
 
-def verdict(slot, tests, fault):
-    """What noticed the planted fault; "" if nothing did; None if it is no fault."""
-    is_other = False
-    for layer in range(LAYERS.index(fault.file.split("/")[0]), len(LAYERS)):
-        if not slot.make(f"{LAYERS[layer]}_test"):
-            return None
-        if not slot.has_other_code():
-            continue
-        is_other = True
-        for names, seconds in tests.rounds(layer, pathlib.Path(fault.file).stem):
-            status, output = slot.gtest(layer, 30 + 5 * seconds, f"--gtest_filter={names}", "--gtest_fail_fast")
-            if status != 0:
-                # After a failure the rest is started, but skipped.
-                named = (re.findall(r"^\[  FAILED  \] ([^\s,]+)", output, re.MULTILINE)[:1] or
-                         re.findall(r"^\[ RUN      \] (\S+)", output, re.MULTILINE)[-1:])
-                how = {None: "too slow", 1: "failed"}.get(status, "crashed")
-                return f"{named[0] if named else LAYERS[layer] + '_test'} {how}"
-    if not is_other:
-        return None
+def noticed_by(slot, executable, cases):
+    """The test that notices the planted fault, and how; "" if none does."""
+    names = ":".join(case[0] for case in cases)
+    status, output = slot.gtest(executable, 30 + 5 * sum(case[1] for case in cases), f"--gtest_filter={names}",
+                                "--gtest_fail_fast")
+    if status == 0:
+        return ""
+    # After a failure the rest is started, but skipped.
+    named = (re.findall(r"^\[  FAILED  \] ([^\s,]+)", output, re.MULTILINE)[:1] or
+             re.findall(r"^\[ RUN      \] (\S+)", output, re.MULTILINE)[-1:])
+    how = {None: "too slow", 1: "failed"}.get(status, "crashed")
+    return f"{named[0] if named else executable.name} {how}"
+
+
+def noticed_by_program(slot):
     if not slot.make("sinkmesh"):
-        return None
-    status, output = run(["ctest", "--test-dir", slot.build, "-R", "^program", "--stop-on-failure"], 300,
+        return "the program, which does not compile"
+    status, output = run(["ctest", "--test-dir", slot.build, "-R", "^program", "--stop-on-failure"], 100,
                          env=slot.environment)
     failed = re.search(r"(program\.\w+) \.*\**(\w+)", output.split("tests failed")[0]) if status else None
     return "" if status == 0 else f"{failed.group(1) if failed else 'program'} failed"
 
 
-def examine(slot, tests, candidates, wanted, tell):
-    """Plants candidates until `wanted` of them were faults, and tells about each."""
-    for fault in candidates:
-        if wanted == 0:
+def verdict(slot, tests, fault):
+    """What noticed the planted fault; "" if nothing did; None if it is no fault. What stands in equivalent.py is only
+    shown to the tests that are for its file."""
+    is_other = False
+    layer_of_fault, name = fault.file.split("/", 1)
+    stem = pathlib.Path(name).stem
+    for layer in range(LAYERS.index(layer_of_fault), len(LAYERS)):
+        near = tests.near(layer, NEAR.get(stem, stem))
+        if name.endswith(".h") and near:
+            # Before all tests that include it are compiled.
+            part = slot.make_part(layer, NEAR.get(stem, stem))
+            if part is None:
+                return None
+            if slot.has_other_code():
+                found = noticed_by(slot, part, near)
+                if found:
+                    return found
+        if not slot.make(f"{LAYERS[layer]}_test"):
+            return None
+        if not slot.has_other_code():
+            continue
+        is_other = True
+        for cases in tests.rounds(layer, near):
+            found = noticed_by(slot, slot.executables[layer], cases)
+            if found:
+                return found
+            if equivalent.argument(fault):
+                return ""
+    return noticed_by_program(slot) if is_other else None
+
+
+class Turns:
+    """The faults to be planted: files take turns, and each has its share."""
+
+    def __init__(self, shares):
+        self.lock = threading.Lock()
+        self.waiting = collections.deque((iter(found), wanted) for found, wanted in shares if wanted > 0)
+
+    def next(self):
+        """A file's faults, and how many of them are wanted; None if there are no more."""
+        with self.lock:
+            return self.waiting.popleft() if self.waiting else None
+
+    def again(self, candidates, wanted):
+        with self.lock:
+            if wanted > 0:
+                self.waiting.append((candidates, wanted))
+
+
+def examine_all(slot, tests, turns, tell, stop):
+    while not stop.is_set():
+        turn = turns.next()
+        if turn is None:
             return
-        started = time.monotonic()
-        slot.plant(fault)
-        try:
-            noticed_by = verdict(slot, tests, fault)
-        finally:
-            slot.restore()
-        if noticed_by is not None:
-            wanted -= 1
-            tell(fault, noticed_by, time.monotonic() - started)
+        candidates, wanted = turn
+        for fault in candidates:
+            started = time.monotonic()
+            slot.plant(fault)
+            try:
+                found = verdict(slot, tests, fault)
+            finally:
+                slot.restore()
+            if stop.is_set():
+                return  # what was asked to stop may have failed for it
+            if found is not None:
+                tell(fault, found, time.monotonic() - started)
+                turns.again(candidates, wanted - 1)
+                break
 
 
 def main():
@@ -201,14 +285,14 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("/tmp/sinkmesh-mutation"))
     options = parser.parse_args()
 
-    jobs = []
-    # Sources first: after a fault in a header most of the tests are compiled again.
+    shares = []
+    # Sources first: after a fault in a header much is compiled again.
     for name, count in sorted(FILES.items(), key=lambda item: item[0].endswith(".h")):
         found = faults.in_random_order(faults.all_faults(name, (ROOT / name).read_text(encoding="utf-8")), options.seed)
         found = [fault for fault in found if re.search(options.only, str(fault))]
-        jobs.append((found, round(count * options.scale) if not options.only else len(found)))
+        shares.append((found, round(count * options.scale) if not options.only else len(found)))
     if options.list:
-        print("\n".join(str(fault) for found, _ in jobs for fault in found))
+        print("\n".join(str(fault) for found, _ in shares for fault in found))
         return 0
 
     slots = [Slot(options.work / str(i)) for i in range(options.jobs)]
@@ -220,19 +304,21 @@ def main():
         said = f"noticed by {noticed_by}" if noticed_by else f"equivalent: {why}" if why else "SURVIVED"
         print(f"{len(results):4} {seconds:4.0f} s  {fault}\n             {said}", flush=True)
 
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        list(pool.map(Slot.prepare, slots))
-        tests = Tests(slots[0])
-        free = list(slots)
-
-        def work(job):
-            slot = free.pop()
-            try:
-                examine(slot, tests, *job, tell)
-            finally:
-                free.append(slot)
-
-        list(pool.map(work, jobs))
+    for slot in slots:
+        slot.prepare()
+    tests = Tests(slots[0])
+    turns = Turns(shares)
+    stop = threading.Event()
+    workers = [threading.Thread(target=examine_all, args=(slot, tests, turns, tell, stop)) for slot in slots]
+    for worker in workers:
+        worker.start()
+    try:
+        for worker in workers:
+            worker.join()
+    except KeyboardInterrupt:
+        stop.set()
+        for worker in workers:
+            worker.join()
 
     noticed = sum(1 for result in results if result[1])
     survivors = [fault for fault, noticed_by, why in results if not noticed_by and not why]

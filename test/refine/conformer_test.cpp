@@ -231,5 +231,50 @@ TYPED_TEST(Conform, GoesOnWhereItWasStopped) {
   }
 }
 
+// A triangle, and three small tetrahedra around its edge from 0 to 10, `at` from its end: the edge is missing.
+Surface3 surrounded_edge(double at) {
+  Surface3 surface;
+  surface.points = {{0, 0, 0}, {10, 0, 0}, {5, 10, 0}};
+  surface.facets = {{0, 1, 2}};
+  constexpr double kSize = 0.05;
+  for (const Point2& out : {Point2{-0.3, 0}, Point2{0.2, 0.3}, Point2{0.2, -0.3}}) {
+    const auto first = static_cast<std::uint32_t>(surface.points.size());
+    const Point3 tip{at, out[0], out[1]};
+    surface.points.push_back(tip);
+    for (const auto& [x, turn] : {std::pair(1.0, 0.0), std::pair(-0.5, 1.0), std::pair(-0.5, -1.0)}) {
+      surface.points.push_back({at + kSize * x, tip[1] + kSize * (3 * out[0] - turn * out[1]),
+                                tip[2] + kSize * (3 * out[1] + turn * out[0])});
+    }
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      surface.facets.push_back({first + (k + 1) % 4, first + (k + 2) % 4, first + (k + 3) % 4});
+    }
+  }
+  return surface;
+}
+
+// Next to what is nearest to its middle, but not at a short end; or in the middle.
+TEST(Conformer, DividesAMissingSegmentWhereItsCulpritIsNearest) {
+  for (const double at : {0.7, 1.5, 2.5, 3.5, 6.0, 7.5, 8.5, 9.2}) {
+    SCOPED_TRACE(at);
+    for (const bool projects : {true, false}) {
+      const Surface3 surface = surrounded_edge(at);
+      Conforming<3> c(surface, projects);
+      c.conformer.start();
+      ASSERT_FALSE(c.conform(1));
+      const auto& info =
+          c.boundary.features().vertex(Vertex(static_cast<std::uint32_t>(surface.points.size())));
+      ASSERT_EQ(info.on.kind, Feature::Kind::segment);
+      const auto& ends = c.boundary.features().segments()[info.on.id].ends;
+      ASSERT_EQ(ends, (std::array{Vertex(0), Vertex(1)}));
+      if (projects && at > 2.2 && at < 7.8) {
+        EXPECT_NEAR(info.t, at / 10, 0.006);
+        EXPECT_NE(info.t, 0.5);
+      } else {
+        EXPECT_EQ(info.t, 0.5);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sinkmesh

@@ -210,6 +210,27 @@ TEST(PatchTriangulation, WalksEndWhereThePointIsOrAtASegmentThatBarsTheWay) {
   }
 }
 
+// A prism over a kite with the longer diagonal, which flips would take away.
+TEST(PatchTriangulation, LeavesAloneWhatWasInTheListBefore) {
+  Conforming<3> c(test::prism({{0, 0}, {3, -1}, {8, 0}, {3, 1}}, {{0, 1, 2}, {0, 2, 3}}, 1));
+  PatchTriangulation patches(c.boundary);
+  const Vertex bottom(0);
+  const Vertex top(4);
+  const std::uint32_t upright = c.boundary.sub_facets().segment_of(bottom, top);
+  std::vector<SubFacet> created = c.sub_facets();
+  const SubFacet kite = c.boundary.sub_facets().find_edge(bottom, Vertex(2));
+  ASSERT_FALSE(kite.is_null());
+  const Vertex v =
+      c.insert(c.boundary.features().point_at(upright, 0.5), {{Kind::segment, upright}, 0.5, 1, 0});
+  patches.divide({bottom, top, upright}, v, created);
+  EXPECT_TRUE(c.boundary.sub_facets().is_alive(kite));
+  EXPECT_FALSE(c.boundary.sub_facets().find_edge(bottom, Vertex(2)).is_null());
+  EXPECT_TRUE(patches.flip_around(kite, created));
+  EXPECT_TRUE(c.boundary.sub_facets().find_edge(bottom, Vertex(2)).is_null());
+  EXPECT_FALSE(c.boundary.sub_facets().find_edge(Vertex(1), Vertex(3)).is_null());
+  expect_invariants(c);
+}
+
 // The diagonals of a gridded cube run at random, those of the triangulation as ties are broken: flips alone
 // bring all together.
 TEST(PatchTriangulation, FlipsTurnTheDiagonalsOfAGridWithoutAPoint) {

@@ -9,10 +9,14 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "core/vector.h"
+#include "predicates/error.h"
 #include "refine/quality.h"
 #include "test/support/clouds.h"
+#include "test/support/conformed.h"
 #include "test/support/rational_geometry.h"
 
 namespace sinkmesh {
@@ -385,6 +389,130 @@ TEST(SteinerInserter, NotesARefusalAtTheOwnerWhileItLives) {
   EXPECT_EQ(bench.inserter().insert(candidate), Verdict::boundary);
   EXPECT_EQ(bench.inserter().rejection(*other), Verdict::boundary);
   EXPECT_EQ(bench.inserter().rejection(holding.front()), Verdict::inserted);
+}
+
+// Halves, so that some points lie on the circles.
+TEST(SteinerInserter, FindsTheWallsThatAPointEncroaches) {
+  Random random(3);
+  std::size_t encroached = 0;
+  std::size_t on_circle = 0;
+  std::size_t left_alone = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    Bench bench({kSquare});
+    const Point2 x{0.5 * uniform_int(random, -7, 7), 0.5 * uniform_int(random, -7, 7)};
+    const auto at = rational<2>(bench.gated(x));
+    const std::vector<Simplex> starts = bench.in_conflict_with(x);
+    ASSERT_FALSE(starts.empty());
+    std::vector<HalfFacet> expected;
+    for (const Simplex s : starts) {
+      for (int i = 0; i <= 2; ++i) {
+        const HalfFacet h = Complex<2>::half_facet(s, i);
+        if (!bench.domain().is_wall(h)) continue;
+        const FacetCorners<2> corners = bench.triangulation().complex().facet_corners(h);
+        const auto p = rational<2>(*corners[0]);
+        const auto q = rational<2>(*corners[1]);
+        const Rational side = (p[0] - at[0]) * (q[0] - at[0]) + (p[1] - at[1]) * (q[1] - at[1]);
+        if (side <= 0) expected.push_back(h);
+        encroached += side < 0;
+        on_circle += side == 0;
+        left_alone += side > 0;
+      }
+    }
+    std::sort(expected.begin(), expected.end());
+    for (const Simplex s : starts) {
+      std::vector<HalfFacet> found = bench.inserter().encroached_walls(bench.candidate(s, x));
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, expected) << x[0] << ' ' << x[1];
+    }
+    EXPECT_TRUE(bench.triangulation().validate().ok()) << bench.triangulation().validate();
+  }
+  EXPECT_GE(encroached, 20U);
+  EXPECT_GE(on_circle, 10U);
+  EXPECT_GE(left_alone, 20U);
+}
+
+TEST(SteinerInserter, SaysHowNearVerticesAtTheResolutionOfDoublesAre) {
+  const std::vector<Point2> square = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  EXPECT_NO_THROW(Bench({square}, {{0, 0}, {0x1p-38, 0}}));
+  try {
+    const Bench bench({square}, {{0, 0}, {0x1p-42, 0}});
+    FAIL() << "should have been refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("two vertices are 1.1e-13 times the largest coordinate apart"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(SteinerInserter, GoesTowardsACenterThatIsTooFarAway) {
+  for (int symmetry = 0; symmetry < 8; ++symmetry) {
+    SCOPED_TRACE(symmetry);
+    for (const double height : {0x1p-2, 0x1p-30}) {
+      Bench bench({turned({{-1, 0}, {1, 0}, {0, height}}, symmetry)});
+      const std::vector<Simplex> all = bench.domain().simplices();
+      ASSERT_EQ(all.size(), 1U);
+      const Corners<2> corners = bench.triangulation().complex().corners(all[0]);
+      const auto center = circumsphere<2>(corners).center;
+      const Point2 found = bench.inserter().center_or_direction(all[0]);
+      if (height > 0x1p-20) {
+        EXPECT_EQ(found, (Point2{center[0].get_d(), center[1].get_d()}));
+        continue;
+      }
+      // On the ray from a corner to the center, beyond the hull.
+      const Point2& from =
+          bench.triangulation().complex().point(bench.triangulation().complex().corner(all[0], 0));
+      EXPECT_GE(std::max(std::abs(found[0]), std::abs(found[1])), 2);
+      EXPECT_LE(std::max(std::abs(found[0]), std::abs(found[1])), 6);
+      const Point2 way = found - from;
+      const Point2 whole{center[0].get_d() - from[0], center[1].get_d() - from[1]};
+      EXPECT_NEAR(dot(way, whole) / std::sqrt(dot(way, way) * dot(whole, whole)), 1, 1e-12);
+    }
+  }
+}
+
+/// Points in a square whose boundary has features.
+Surface<2> square_with(const std::vector<Point2>& interior) {
+  Surface<2> surface;
+  surface.points = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  surface.facets = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  surface.points.insert(surface.points.end(), interior.begin(), interior.end());
+  return surface;
+}
+
+// Below a ratio of 2 the floor counts for more: a point on a segment may be nearer than an edge is long.
+TEST(SteinerInserter, CountsNoEdgeAsShorterThanTheFloor) {
+  Random random(4);
+  std::vector<Point2> interior;
+  for (int i = 0; i < 80; ++i) interior.push_back({uniform(random, -0.9, 0.9), uniform(random, -0.9, 0.9)});
+  for (const double ratio : {1.0, 1.5, 2.0, 4.0, 10.0}) {
+    SCOPED_TRACE(ratio);
+    constexpr double kFloor = 0.1;
+    Conforming<2> mesh(square_with(interior));
+    mesh.label();
+    SteinerInserter<2> inserter(mesh.triangulation, mesh.domain, mesh.flow, ratio,
+                                {&mesh.boundary.features(), 0.5, kFloor});
+    inserter.measure_all();
+    const double least = ratio < 2 ? kFloor * 2 / ratio : kFloor;
+    std::size_t at_floor = 0;
+    for (const Simplex s : mesh.domain.simplices()) {
+      const Shape of_s = shape<2>(mesh.complex().corners(s));
+      EXPECT_EQ(inserter.is_at_floor(s), std::sqrt(of_s.shortest2) <= least);
+      at_floor += inserter.is_at_floor(s) ? 1 : 0;
+      // Of points inside there is no other excuse, and none that could be told.
+      bool is_inside = true;
+      for (int i = 0; i <= 2; ++i) is_inside = is_inside && mesh.complex().corner(s, i).index() >= 4;
+      if (!is_inside) continue;
+      const double length = std::max(std::sqrt(of_s.shortest2), least);
+      EXPECT_NEAR(std::sqrt(inserter.relaxed_length2(s)), length, 1e-14);
+      EXPECT_EQ(inserter.is_low_quality(s), of_s.ratio2() > ratio * ratio);
+      if (inserter.is_low_quality(s)) {
+        EXPECT_EQ(inserter.is_excused(s), std::sqrt(of_s.radius2) <= ratio * length);
+      }
+      EXPECT_FALSE(inserter.rung(s));
+    }
+    EXPECT_GE(at_floor, 5U);
+    EXPECT_LT(at_floor, mesh.domain.simplices().size());
+  }
 }
 
 }  // namespace
