@@ -12,15 +12,15 @@ ARGUMENTS = {
         "other filters",
     ("predicates/input_gate.cpp", "static_assert(kGridBits == 121);",
      "if (std::abs(x) >= 0x1p-69) return x;", ""):
-        "the shorter way: what it returns is a multiple of 2^-121, which the line below gives back unless 2^121 x overflows, "
-        "and coordinates are below 4",
+        "the shorter way: what it returns is a multiple of 2^-121, which the line below gives back unless 2^121 x overflows; "
+        "no coordinate is anywhere near 2^900",
     ("predicates/circumcenter.cpp", "// next lines.",
      "const double error = 0x1p-99 * std::abs(q.head) + 0x1p-51 * (std::abs(rest) + std::abs(z.tail));",
      "const double error = 0x1p-99 * std::abs(q.head) + (0x1p-51 / 8) * (std::abs(rest) + std::abs(z.tail));"):
-        "a result is in doubt only where |z.tail| is half an ulp, h, of z.head, and then |rest| >= h. The rounding of rest is "
-        "at most half an ulp of it, which 2^-54 (|rest| + |z.tail|) covers; what the rounding of the bound takes from it, "
-        "below 2^-104 h, is covered by the second half of 2^-99 |q|, as |q| >= h / 2; and where the exact z.tail + error is "
-        "beyond h, the rounded one is beyond h, or h is a power of two and the sum lies above the middle of its successor",
+        "a wrong result would need a center beyond the middle T between two doubles, a power of two from z.head, and "
+        "z.tail + error rounded to T. Where that is near, |rest| and |z.tail| are T or nearly, so that 2^-54 of their sum is "
+        "the rounding of rest, at most 2^-53 T, and half the distance from T to the next double; and 2^-99 |q|, with |q| >= T, "
+        "is twice what the quotient may be off, and far more than the rounding of the bound",
     ("core/complex.h", "detail::PodArray<std::uint32_t> free_;",
      "std::uint32_t stamp_ = 0;", "std::uint32_t stamp_ = (0 + 1);"):
         "a stamp only has to be none that a scratch word holds, and these are 0 at first: the first one is 2 instead of 1",

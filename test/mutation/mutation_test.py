@@ -38,12 +38,14 @@ WAITING = 20  # times the processor time that a command may take: a busy machine
 
 # The files of tests that are for a source whose name theirs does not hold.
 NEAR = {
-    "staged": "oracle", "polynomials": "oracle", "predicates": "oracle", "cascade": "oracle", "symbolic": "oracle",
-    "expansion": "arithmetic", "fixed_int": "arithmetic", "scaled_integers": "arithmetic", "grid": "arithmetic",
-    "rounding": "circumcenter|constructions", "quotient": "circumcenter|constructions",
+    "staged": "oracle", "polynomials": "error_bounds|oracle", "predicates": "oracle", "cascade": "oracle",
+    "symbolic": "oracle", "stages": "error_bounds|stages", "expansion": "arithmetic", "fixed_int": "arithmetic",
+    "scaled_integers": "arithmetic", "grid": "arithmetic", "rounding": "circumcenter|constructions",
+    "quotient": "circumcenter|constructions",
     "conflict": "insertion|location", "star_linker": "insertion", "first_simplex": "insertion", "star": "insertion",
-    "flip_inserter": "flips", "vertex_remover": "removal", "sink_walk": "watershed|flow",
-    "boundary_features": "boundary_features|boundary_refiner|conformer", "facet_index": "domain", "cells": "domain_regions",
+    "flip_inserter": "flips", "vertex_remover": "removal",
+    "sink_walk": "watershed|flow", "boundary_features": "boundary_features|boundary_refiner|conformer",
+    "facet_index": "domain", "cells": "domain_regions", "point_guide": "steiner_inserter|separation",
 }
 
 # How many faults in which file. Left out: what decides nothing but speed (orders of points, pages, hashes), and what only
@@ -61,7 +63,8 @@ FILES = {
     "refine/boundary_features.cpp": 5, "refine/steiner_inserter.cpp": 12, "refine/steiner_inserter.h": 4,
     "refine/off_sink.cpp": 4, "refine/sub_facets.cpp": 5, "refine/patch_triangulation.cpp": 6, "refine/patches.cpp": 4,
     "refine/independence.cpp": 2, "refine/sphere_set.cpp": 3, "refine/facet_index.h": 2, "refine/cells.cpp": 3,
-    "refine/watershed.cpp": 3, "refine/conformer.cpp": 6,
+    "refine/watershed.cpp": 3, "refine/conformer.cpp": 6, "refine/point_guide.h": 5, "refine/self_intersections.cpp": 5,
+    "refine/quality.cpp": 4, "refine/angles.cpp": 3, "refine/interior_editor.cpp": 4,
 }
 
 
@@ -138,19 +141,20 @@ class Slot:
         return run(["ninja", "-j1", "-C", self.build, *targets], 1200, env=self.environment)[0] == 0
 
     def make_part(self, layer, wanted):
-        """An executable of those files of the tests of a layer that match, and of no others; None if it fails."""
+        """An executable of those files of the tests of a layer that match, and of no library of a later layer. None if
+        something does not compile, or needs one of these."""
         target = f"{LAYERS[layer]}_test"
         commands = subprocess.run(["ninja", "-C", self.build, "-t", "commands", target], check=True, text=True,
                                   stdout=subprocess.PIPE).stdout.splitlines()
         link = next(shlex.split(part) for part in commands[-1].split(" && ") if f" -o test/{target} " in part)
-        objects = [word for word in link if word.endswith("_test.cpp.o")]
-        chosen = [word for word in objects if re.search(wanted, pathlib.Path(word).name)]
-        libraries = [word for word in link if word.startswith(("predicates/", "core/", "refine/", "tools/"))]
+        own = [word for word in link if word.endswith("_test.cpp.o")]
+        chosen = [word for word in own if re.search(wanted, pathlib.Path(word).name)]
+        libraries = [word for word in link if re.match(r"(?:predicates|core|refine|tools)/.*\.a$", word)]
+        earlier = [word for word in libraries if word.split("/")[0] in LAYERS[:layer + 1]]
         part = self.build / f"part_of_{target}"
-        words = [word for word in link if word not in objects or word in chosen]
+        words = [word for word in link if word not in own + libraries or word in chosen + earlier]
         words[words.index(f"test/{target}")] = str(part)
-        made = chosen and self.make(*chosen, *libraries) and run(words, 1200, cwd=self.build)[0] == 0
-        return part if made else None
+        return part if self.make(*chosen, *earlier) and run(words, 1200, cwd=self.build)[0] == 0 else None
 
     def gtest(self, executable, seconds, *options):
         return run([executable, *options], seconds, env=self.environment, cwd=self.build)
@@ -216,11 +220,9 @@ def verdict(slot, tests, fault):
         if name.endswith(".h") and near:
             # Before all tests that include it are compiled.
             part = slot.make_part(layer, NEAR.get(stem, stem))
-            if part is None:
-                return None
-            if slot.has_other_code():
+            if part and slot.has_other_code():
                 found = noticed_by(slot, part, near)
-                if found:
+                if found or equivalent.argument(fault):
                     return found
         if not slot.make(f"{LAYERS[layer]}_test"):
             return None
@@ -277,7 +279,7 @@ def examine_all(slot, tests, turns, tell, stop):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--scale", type=float, default=1, help="times the usual number of faults, which is about 200")
+    parser.add_argument("--scale", type=float, default=1, help="times the usual number of faults, which is about 240")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--only", default="", help="faults whose description (see --list) matches")
