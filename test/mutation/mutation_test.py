@@ -279,7 +279,7 @@ def examine_all(slot, tests, turns, tell, stop):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--scale", type=float, default=1, help="times the usual number of faults, which is about 240")
+    parser.add_argument("--scale", type=float, help="times the usual number of faults, which is about 240; with --only all")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--only", default="", help="faults whose description (see --list) matches")
@@ -292,7 +292,8 @@ def main():
     for name, count in sorted(FILES.items(), key=lambda item: item[0].endswith(".h")):
         found = faults.in_random_order(faults.all_faults(name, (ROOT / name).read_text(encoding="utf-8")), options.seed)
         found = [fault for fault in found if re.search(options.only, str(fault))]
-        shares.append((found, round(count * options.scale) if not options.only else len(found)))
+        is_all = options.only and options.scale is None
+        shares.append((found, len(found) if is_all else round(count * (options.scale or 1))))
     if options.list:
         print("\n".join(str(fault) for found, _ in shares for fault in found))
         return 0
