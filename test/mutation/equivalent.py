@@ -10,6 +10,9 @@ ARGUMENTS = {
      "double error = 0;  ///< of the rounded value", "double error = (0 + 1);  ///< of the rounded value"):
         "the only constructor of Predicates calls update(), which sets it in all filters before one is read; there are no "
         "other filters",
+    ("predicates/staged.cpp", "const int bits = P::kDegree * granularity;",
+     "unit = bits <= 1022 ? std::ldexp(1.0, -bits) : 0;", "unit = bits <= (1022 + 1) ? std::ldexp(1.0, -bits) : 0;"):
+        "behind the gate the granularity is at most 121, and 8 times that is 968",
     ("predicates/input_gate.cpp", "static_assert(kGridBits == 121);",
      "if (std::abs(x) >= 0x1p-69) return x;", ""):
         "the shorter way: what it returns is a multiple of 2^-121, which the line below gives back unless 2^121 x overflows; "

@@ -55,7 +55,7 @@ FILES = {
     "predicates/circumcenter.cpp": 6, "predicates/constructions.cpp": 3, "predicates/input_gate.cpp": 5,
     "predicates/detail/symbolic.h": 8, "predicates/detail/stages.h": 8, "predicates/detail/cascade.cpp": 4,
     "predicates/detail/expansion.cpp": 5, "predicates/detail/fixed_int.h": 4, "predicates/detail/rounding.h": 3,
-    "predicates/detail/scaled_integers.h": 4, "predicates/detail/grid.h": 2, "predicates/detail/quotient.h": 3,
+    "predicates/detail/lanes.h": 3, "predicates/detail/scaled_integers.h": 4, "predicates/detail/grid.h": 2, "predicates/detail/quotient.h": 3,
     "core/conflict.h": 4, "core/cavity.h": 5, "core/complex.h": 4, "core/complex.cpp": 3, "core/star_linker.cpp": 6,
     "core/flip_inserter.cpp": 6, "core/location.h": 3, "core/triangulation.cpp": 6, "core/validation.cpp": 5,
     "core/star.cpp": 3, "core/star_walk.h": 2, "core/first_simplex.cpp": 3, "core/vertex_remover.cpp": 6,

@@ -167,6 +167,11 @@ TEST(Domain, PeelingLeavesTheMaximalStableSubcomplex) {
     const std::size_t before = domain.simplices().size();
     const Domain<3>::Peeled peeled = domain.peel(flow);
     EXPECT_EQ(domain.simplices().size(), before - peeled.simplices);
+    std::size_t bare = 0;  // facets of the hull
+    for (const Simplex s : complex.simplices()) {
+      if (complex.is_ghost(s)) bare += expected[complex.neighbor(s, 3).index()] ? 0 : 1;
+    }
+    EXPECT_EQ(peeled.facets, bare);
     peeled_in_all += peeled.simplices;
     for (const Simplex s : complex.simplices()) ASSERT_EQ(domain.is_inside(s), expected[s.index()]) << s;
   }
