@@ -59,6 +59,10 @@ ARGUMENTS = {
      "for (std::size_t steps = 0; steps <= boundary_->sub_facets().size(); ++steps) {",
      "for (std::size_t steps = (0 + 1); steps <= boundary_->sub_facets().size(); ++steps) {"):
         "as above: so many steps as there are sub-facets are enough",
+    ("refine/patch_triangulation.cpp",
+     "const bool is_old_bad = is_encroached(a, b, c, d) || is_encroached(b, a, d, c);",
+     "if (!is_old_bad && !boundary_->is_missing(first) && !boundary_->is_missing(second)) return false;", ""):
+        "the shorter way: the lines below let an edge that is not bad go only where a sub-facet is missing",
     ("refine/patches.cpp", "for (int pass = 0; pass < kPasses && has_changed; ++pass) {",
      "has_changed = false;", "has_changed = true;"):
         "only more passes: after one that changes nothing the others change nothing",

@@ -51,20 +51,22 @@ NEAR = {
 # How many faults in which file. Left out: what decides nothing but speed (orders of points, pages, hashes), and what only
 # describes (reports, options).
 FILES = {
-    "predicates/polynomials.h": 12, "predicates/staged.cpp": 4, "predicates/staged.h": 3, "predicates/predicates.cpp": 4,
-    "predicates/circumcenter.cpp": 6, "predicates/constructions.cpp": 3, "predicates/input_gate.cpp": 5,
-    "predicates/detail/symbolic.h": 8, "predicates/detail/stages.h": 8, "predicates/detail/cascade.cpp": 4,
-    "predicates/detail/expansion.cpp": 5, "predicates/detail/fixed_int.h": 4, "predicates/detail/rounding.h": 3,
-    "predicates/detail/lanes.h": 3, "predicates/detail/scaled_integers.h": 4, "predicates/detail/grid.h": 2, "predicates/detail/quotient.h": 3,
-    "core/conflict.h": 4, "core/cavity.h": 5, "core/complex.h": 4, "core/complex.cpp": 3, "core/star_linker.cpp": 6,
-    "core/flip_inserter.cpp": 6, "core/location.h": 3, "core/triangulation.cpp": 6, "core/validation.cpp": 5,
-    "core/star.cpp": 3, "core/star_walk.h": 2, "core/first_simplex.cpp": 3, "core/vertex_remover.cpp": 6,
-    "refine/flow.cpp": 4, "refine/flow.h": 2, "refine/sink_walk.h": 3, "refine/domain.cpp": 7, "refine/boundary.cpp": 8,
+    "predicates/polynomials.h": 12, "predicates/staged.cpp": 4, "predicates/staged.h": 3,
+    "predicates/predicates.cpp": 4, "predicates/circumcenter.cpp": 6, "predicates/constructions.cpp": 3,
+    "predicates/input_gate.cpp": 5, "predicates/detail/symbolic.h": 8, "predicates/detail/stages.h": 8,
+    "predicates/detail/cascade.cpp": 4, "predicates/detail/expansion.cpp": 5, "predicates/detail/fixed_int.h": 4,
+    "predicates/detail/rounding.h": 3, "predicates/lanes.h": 3, "predicates/detail/scaled_integers.h": 4,
+    "predicates/detail/grid.h": 2, "predicates/detail/quotient.h": 3, "core/conflict.h": 4, "core/cavity.h": 5,
+    "core/complex.h": 4, "core/complex.cpp": 3, "core/star_linker.cpp": 6, "core/flip_inserter.cpp": 6,
+    "core/location.h": 3, "core/triangulation.cpp": 6, "core/validation.cpp": 5, "core/star.cpp": 3,
+    "core/star_walk.h": 2, "core/first_simplex.cpp": 3, "core/vertex_remover.cpp": 6, "refine/flow.cpp": 4,
+    "refine/flow.h": 2, "refine/sink_walk.h": 3, "refine/domain.cpp": 7, "refine/boundary.cpp": 8,
     "refine/boundary_features.cpp": 5, "refine/steiner_inserter.cpp": 12, "refine/steiner_inserter.h": 4,
-    "refine/off_sink.cpp": 4, "refine/sub_facets.cpp": 5, "refine/patch_triangulation.cpp": 6, "refine/patches.cpp": 4,
-    "refine/independence.cpp": 2, "refine/sphere_set.cpp": 3, "refine/facet_index.h": 2, "refine/cells.cpp": 3,
-    "refine/watershed.cpp": 3, "refine/conformer.cpp": 6, "refine/point_guide.h": 5, "refine/self_intersections.cpp": 5,
-    "refine/quality.cpp": 4, "refine/angles.cpp": 3, "refine/interior_editor.cpp": 4,
+    "refine/off_sink.cpp": 4, "refine/sub_facets.cpp": 5, "refine/patch_triangulation.cpp": 6,
+    "refine/patches.cpp": 4, "refine/independence.cpp": 2, "refine/sphere_set.cpp": 3, "refine/facet_index.h": 2,
+    "refine/cells.cpp": 3, "refine/watershed.cpp": 3, "refine/conformer.cpp": 6, "refine/point_guide.h": 5,
+    "refine/self_intersections.cpp": 5, "refine/quality.cpp": 4, "refine/angles.cpp": 3,
+    "refine/interior_editor.cpp": 4,
 }
 
 
