@@ -56,38 +56,42 @@ double distance_of_others(Vertex v, const Boundary<3>& boundary, std::span<const
   return std::sqrt(least2);
 }
 
+/// Corners with a sub-facet at them that is far smaller than their shortest segment.
+std::set<Vertex> crowded_corners(const Boundary<3>& boundary) {
+  constexpr double kCrowded2 = 0x1p-16;
+  const Complex<3>& complex = boundary.triangulation().complex();
+  std::map<Vertex, double> shortest2;
+  for (const auto& segment : boundary.features().segments()) {
+    const double length2 = squared_distance(complex.point(segment.ends[0]), complex.point(segment.ends[1]));
+    for (const Vertex end : segment.ends) {
+      double& least2 = shortest2.try_emplace(end, length2).first->second;
+      least2 = std::min(least2, length2);
+    }
+  }
+  std::set<Vertex> crowded;
+  boundary.sub_facets().for_each([&](SubFacet f) {
+    const auto& corners = boundary.sub_facets()[f].corners;
+    for (const Vertex v : corners) {
+      const auto segment = shortest2.find(v);
+      if (segment == shortest2.end()) continue;
+      const bool is_crowded = std::any_of(corners.begin(), corners.end(), [&](Vertex w) {
+        return w != v && squared_distance(complex.point(v), complex.point(w)) < kCrowded2 * segment->second;
+      });
+      if (is_crowded) crowded.insert(v);
+    }
+  });
+  return crowded;
+}
+
 }  // namespace
 
 template <int Dim>
 bool Collars::add_crowded(const Boundary<Dim>& boundary,
                           std::span<const typename Boundary<Dim>::Facet> facets) {
+  constexpr double kPart = 0.4;
   bool has_added = false;
   if constexpr (Dim == 3) {
-    constexpr double kCrowded2 = 0x1p-16;
-    constexpr double kPart = 0.4;
-    const Complex<3>& complex = boundary.triangulation().complex();
-    const BoundaryFeatures<3>& features = boundary.features();
-    std::map<Vertex, double> shortest2;  // segment
-    for (const auto& segment : features.segments()) {
-      const double length2 = squared_distance(complex.point(segment.ends[0]), complex.point(segment.ends[1]));
-      for (const Vertex end : segment.ends) {
-        double& least2 = shortest2.try_emplace(end, length2).first->second;
-        least2 = std::min(least2, length2);
-      }
-    }
-    std::set<Vertex> crowded;
-    boundary.sub_facets().for_each([&](SubFacet f) {
-      const auto& corners = boundary.sub_facets()[f].corners;
-      for (const Vertex v : corners) {
-        const auto segment = shortest2.find(v);
-        if (segment == shortest2.end()) continue;
-        for (const Vertex w : corners) {
-          if (w != v && squared_distance(complex.point(v), complex.point(w)) < kCrowded2 * segment->second)
-            crowded.insert(v);
-        }
-      }
-    });
-    for (const Vertex v : crowded) {
+    for (const Vertex v : crowded_corners(boundary)) {
       if (radius(v) != 0) continue;
       radii_[v] = kPart * distance_of_others(v, boundary, facets);
       has_added = true;

@@ -29,9 +29,9 @@ void Refiner<Dim>::settle_boundary() {
   if (!is_known_ && num_new > kFew + last_valid_->num_vertices / kPart) last_valid_ = boundary_->snapshot();
 }
 
-// First what has to be. Then points on the boundary for quality: they may leave more simplices that a small
-// angle excuses than they mend, and are taken back then, so what is left of low quality is never more than
-// without them.
+// First what has to be. Then points on the boundary for quality: in space, and on a surface that needs no point
+// to conform, they may leave more simplices that a small angle excuses than they mend; and anywhere they may
+// breed down to the floor. Then they are taken back: the mesh without them is complete, too.
 template <int Dim>
 void Refiner<Dim>::refine_boundary() {
   last_valid_ = boundary_->snapshot();
