@@ -88,7 +88,9 @@ Vectors<P, TwoTerms> exact_vectors(const Points<P>& p) {
 
 /// What the error of the first expansion stage is bounded by, as a multiple of the permanent.
 template <class P>
-inline constexpr double kFirstOrderError = (P::kDegree * P::kDegree + 64 * P::kDegree) * kUnit* kUnit;
+constexpr double first_order_error() {
+  return kUnit * kUnit * (P::kDegree * P::kDegree + 64 * P::kDegree);
+}
 
 /// First expansion stage: P at the rounded differences h, exactly, plus its derivative in the direction of
 /// their tails t, rounded (stages B and C of [S97, Sec. 4], for any polynomial).
@@ -116,7 +118,7 @@ int by_first_order(const Points<P>& points) {
   }
   const Expansion value = P::value(heads);
   if (!has_tail) return value.sign();
-  const Expansion error(kFirstOrderError<P> * permanent_of<P>(rounded));
+  const Expansion error(first_order_error<P>() * permanent_of<P>(rounded));
   const Expansion corrected = value + Expansion(P::value(duals).slope);
   const int low = (corrected - error).sign();
   const int high = (corrected + error).sign();

@@ -66,7 +66,7 @@ TYPED_TEST(ErrorBounds, CoverTheRoundingsOfTheFirstOrder) {
   constexpr int k = TypeParam::kDegree;
   const int count = value_at<TypeParam>(DualRoundings{}).slope.count;
   EXPECT_LE(count, 60);
-  EXPECT_GT(kFirstOrderError<TypeParam>, (k * (k - 1) / 2.0 + count * k) * kUnit * kUnit);
+  EXPECT_GT(first_order_error<TypeParam>(), (k * (k - 1) / 2.0 + count * k) * kUnit * kUnit);
 }
 
 }  // namespace
